@@ -89,9 +89,11 @@ void draw_button(const Ui& ui, ImDrawList& list, const Rect& button, const char*
   const bool hovered = ImGui::IsMouseHoveringRect({button.x0, button.y0}, {button.x1, button.y1});
   list.AddRectFilled({button.x0, button.y0}, {button.x1, button.y1}, to_u32(hovered ? colors.accent : colors.raised),
                      ImGui::GetStyle().FrameRounding);
+  ImGui::PushFont(nullptr, kTextHeight * kSmallText);
   const ImVec2 size = ImGui::CalcTextSize(text);
   list.AddText({std::round(button.center_x() - 0.5f * size.x), std::round(button.center_y() - 0.5f * size.y)},
                to_u32(hovered ? text_on(colors.accent) : ink), text);
+  ImGui::PopFont();
 }
 
 /// Draws a text and records it as a widget.
@@ -120,7 +122,8 @@ void draw_block(Ui& ui, ImDrawList& list, const Block& block, bool has_button) {
   }
   if (!has_button) return;
   const bool automatic = block.range->automatic;
-  draw_button(ui, list, block.button(), automatic ? "AUTO" : "LOCKED", automatic ? colors.text : colors.warning);
+  draw_button(ui, list, block.button(), automatic ? "Auto range" : "Fixed range",
+              automatic ? colors.text : colors.warning);
 }
 
 }  // namespace
@@ -143,15 +146,15 @@ ImVec2 legend_size(const LegendScales& scales, ImVec2 room) {
 LegendClicks place_legend_buttons(Ui& ui, const LegendScales& scales, const LegendPlace& place) {
   LegendClicks clicks;
   const std::vector<Block> parts = blocks(scales, place);
-  clicks.surface =
-      place_button(ui, "Range", parts[0].button(),
-                   scales.surface.automatic ? "The range follows the largest pressure of the run. Click to lock it."
-                                            : "The range is locked. Click to let it follow the largest pressure.");
+  clicks.surface = place_button(
+      ui, "Range", parts[0].button(),
+      scales.surface.automatic ? "The range follows the largest pressure of the run. Click to keep it as it is."
+                               : "The range stays as it is. Click to let it follow the largest pressure of the run.");
   if (parts.size() > 1)
-    clicks.readings =
-        place_button(ui, "Readings range", parts[1].button(),
-                     scales.readings.automatic ? "The range follows the largest reading of the run. Click to lock it."
-                                               : "The range is locked. Click to let it follow the largest reading.");
+    clicks.readings = place_button(
+        ui, "Readings range", parts[1].button(),
+        scales.readings.automatic ? "The range follows the largest reading of the run. Click to keep it as it is."
+                                  : "The range stays as it is. Click to let it follow the largest reading of the run.");
   const std::string refusal =
       fmt::format("Readings in {} and pressures in kPa have no common range.", scales.unit.text);
   clicks.link = place_button(ui, "Link ranges", link_button(place),
@@ -176,7 +179,7 @@ void draw_pressure_legend(Ui& ui, const LegendScales& scales, const LegendPlace&
                      to_u32(colors.panel, 0.94f), ImGui::GetStyle().FrameRounding);
   for (const Block& block : blocks(scales, place)) draw_block(ui, list, block, scales.has_buttons);
   if (!scales.has_buttons) return;
-  draw_button(ui, list, link_button(place), scales.linked ? "LINKED" : "APART",
+  draw_button(ui, list, link_button(place), scales.linked ? "One range" : "Two ranges",
               scales.unit.pressure ? colors.text : colors.dim);
 }
 

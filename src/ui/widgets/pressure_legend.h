@@ -18,7 +18,8 @@ struct LegendPlace {
   float width = 0, height = 0;
 };
 
-/// The ranges that the legend displays, each as a colour bar with ticks, unit, and AUTO or LOCKED.
+/// The ranges that the legend displays, each as a colour bar with ticks, unit, and a button of the
+/// range.
 struct LegendScales {
   PressureRange surface;    ///< range of the contact surface's pressures
   PressureRange readings;   ///< range of the readings, apart from that of the surface
@@ -35,8 +36,8 @@ struct LegendClicks {
 /// Returns the size of the legend that fits in a room.
 [[nodiscard]] ImVec2 legend_size(const LegendScales& scales, ImVec2 room);
 
-/// Places the buttons: AUTO or LOCKED of each range, and LINKED or APART. Must be called before the items that the
-/// legend covers are drawn, so that the buttons get the clicks.
+/// Places the buttons: whether each range follows the run, and whether there is one for both. Must be called before the
+/// items that the legend covers are drawn, so that the buttons get the clicks.
 LegendClicks place_legend_buttons(Ui& ui, const LegendScales& scales, const LegendPlace& place);
 /// Returns the numbers along a colour bar, the lowest first: `ticks` + 1 numbers, evenly from range.lo to range.hi, in
 /// the displayed unit.

@@ -528,7 +528,7 @@ TEST(MarkLegend, NamesEveryKindOfMarkWithItsUnit) {
   EXPECT_EQ(row(input, "Receptive fields"), "true size, mm");
   EXPECT_EQ(row(input, "Samples"), "400");
   for (const char* name : {"Edges of polygons", "Previous step", "Normals of samples", "Measured distance",
-                           "Pull on the body", "Weld", "Connection"})
+                           "Pull on the body", "Held fixed (weld)", "Held at a point"})
     EXPECT_NE(row(input, name), "none") << name;
   input.overlays.path = input.overlays.rays = false;
   EXPECT_EQ(row(input, "Path of the finger"), "none") << "no path is drawn";

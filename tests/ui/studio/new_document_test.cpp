@@ -9,7 +9,8 @@ namespace {
 
 const Lines kNew{key("n", kCtrl), kIdle};
 const Lines kEdit{kLayoutMode, kIdle, click(taxel(3)), kIdle, key("Delete"), kIdle};
-const Lines kOpenExamples{press("File"), kIdle, press("Open examples..."), kIdle};
+const Lines kExamples{press("File"), kIdle, press("Examples"), kIdle};
+const Lines kOpenExamples = joined({kExamples, {press("Files of the examples..."), kIdle}});
 
 TEST(NewLayout, HasNoTaxelsAndIsSavedAsUntitled) {
   const StudioProgram studio;
@@ -57,6 +58,25 @@ TEST(NewLayout, SaysThatTaxelsAreMissingForARun) {
   studio.play(joined({kNew, {key("Space"), kIdle, dump("state.json")}}), {"--empty"});
   EXPECT_NE(studio.state("state.json")["messages"].dump().find("the layout has no taxels"), std::string::npos);
   EXPECT_EQ(studio.state("state.json")["mode"], "layout");
+}
+
+TEST(Examples, AreTheSameInTheMenusFileAndHelp) {
+  const StudioProgram studio;
+  studio.play(
+      joined({kExamples, {dump("file.json"), press("iCub fingertip, 12 taxels"), kIdle, kIdle, dump("opened.json")}}),
+      {"--empty"});
+  studio.play({press("Help"), kIdle, press("Examples"), kIdle, dump("help.json")}, {"--empty"});
+  const auto entries = [](const Json& state) {
+    std::vector<std::string> labels;
+    for (const Json& widget : state["widgets"])
+      if (labels.empty() ? widget["label"] == "Fingertip sweep" : labels.back() != "Files of the examples...")
+        labels.push_back(widget["label"]);
+    return labels;
+  };
+  const std::vector<std::string> in_file = entries(studio.state("file.json"));
+  EXPECT_GT(in_file.size(), 5U);
+  EXPECT_EQ(in_file, entries(studio.state("help.json")));
+  EXPECT_TRUE(studio.state("opened.json")["title"].get<std::string>().starts_with("iCub fingertip, 12 taxels"));
 }
 
 TEST(Examples, OpenFromTheDialogWhereverTheProgramIs) {

@@ -101,7 +101,7 @@ constexpr Natural kNatural[] = {
     {"shortcuts", "Keys and mouse"},
     {"help", "User guide"},
     {"tutorial", "Tour"},
-    {"examples", "Open examples..."},
+    {"examples", "Files of the examples..."},
     {"open urdf", "Open..."},
     {"import stl", "Open..."},
     {"noise", "Noise"},

@@ -76,7 +76,7 @@ constexpr std::array kSynonyms{
     Synonyms{"Change radius", "scale size resize"},
     Synonyms{"Quit", "exit close end"},
     Synonyms{"New", "create empty blank document layout project"},
-    Synonyms{"Open examples...", "sample demo files assets hand fingertip scene tutorial"},
+    Synonyms{"Files of the examples...", "sample demo files assets hand fingertip scene tutorial"},
     Synonyms{"Open...", "load import file mesh stl obj urdf mjcf xml layout"},
     Synonyms{"Reload", "refresh read again"},
     Synonyms{"Use the desktop's file dialog", "native system gtk kde gnome zenity kdialog chooser picker"},

@@ -34,10 +34,10 @@ const std::array kSteps = {
              "Esc puts it away. Left-drag turns the view, right-drag shifts it.",
              kViewTitle, nullptr, nullptr},
     TourStep{
-        "Two modes",
-        "LAYOUT edits taxels, SIMULATE presses and slides the sensor and shows contact, rays and readings. Ctrl+1 and "
-        "Ctrl+2 change between them.",
-        nullptr, "LAYOUT", "SIMULATE"},
+        "Three modes",
+        "LAYOUT edits taxels, SIMULATE presses and slides the sensor and shows contact, rays and readings, ANALYSE "
+        "answers questions about the run. Ctrl+1, Ctrl+2 and Ctrl+3 change between them.",
+        nullptr, "LAYOUT", "ANALYSE"},
     TourStep{"All taxels",
              "Every taxel is a row. Ctrl+click on the skin adds one in LAYOUT. Edit > Generate taxels makes many at "
              "once: grids, rings, spirals, N spread evenly, tables, pictures, known sensors.",

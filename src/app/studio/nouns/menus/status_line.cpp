@@ -47,7 +47,8 @@ void draw_rates(WindowUi& ui, const Shown& shown, Flow& flow) {
   } else if (p.is_real_time) {
     item(ui, flow, "fps", fmt::format("{:.0f}", p.fps));
   } else {
-    item(ui, flow, "pictures", "frame by frame");
+    item(ui, flow, "picture", "every 20 ms");
+    tooltip("A script plays: from picture to picture 20 ms pass, however long the computer takes");
   }
   if (const std::string pace = pace_text(shown); !pace.empty()) item(ui, flow, "simulation", pace);
   if (p.is_real_time && p.step_seconds > 0) item(ui, flow, "step", duration_text(p.step_seconds));

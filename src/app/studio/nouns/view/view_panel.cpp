@@ -288,8 +288,8 @@ void add_scene_rows(const SceneInput& input, const Look& look, MarkRows& rows) {
   const auto has = [&](bool weld) {
     return std::any_of(points.begin(), points.end(), [&](const ConstraintPoints& held) { return held.weld == weld; });
   };
-  if (has(true)) rows.push_back({Glyph::line, look.weld, "Weld", "gap, mm"});
-  if (has(false)) rows.push_back({Glyph::line, look.connection, "Connection", "gap, mm"});
+  if (has(true)) rows.push_back({Glyph::line, look.weld, "Held fixed (weld)", "gap, mm"});
+  if (has(false)) rows.push_back({Glyph::line, look.connection, "Held at a point", "gap, mm"});
 }
 
 void draw_glyph(ImDrawList& list, const MarkRow& row, ImVec2 middle, float size, const Palette& colors) {

@@ -283,7 +283,6 @@ void append_file_rows(Rows& rows) {
   append(rows, kFileMenu,
          {{NewLayout{}, kEverywhere, kCtrl | ImGuiKey_N, "New"},
           {ShowOpenDialog{}, kEverywhere, kCtrl | ImGuiKey_O, "Open..."},
-          {OpenExamples{}, kEverywhere, 0, "Open examples..."},
           {ReadRealRecording{}, kEverywhere, 0, "Import real recording...", has_recorded_sensors},
           {ReloadFile{}, kEverywhere, kCtrl | ImGuiKey_L, "Reload", has_file},
           {CloseDocument{}, kEverywhere, 0, "Close", has_document}});
@@ -464,6 +463,7 @@ void append_window_rows(Rows& rows) {
   for (const studio::Example& example : studio::examples())
     block.push_back({OpenExample{example.name}, kEverywhere, 0, example.label.c_str()});
   append(rows, kExamplesMenu, std::exchange(block, {}));
+  append(rows, kExamplesMenu, {{OpenExamples{}, kEverywhere, 0, "Files of the examples..."}});
   append(rows, kHelpMenu,
          {{OpenPalette{}, kEverywhere, kCtrl | ImGuiKey_K, "Find a command..."},
           {TogglePanel{&kGuide}, kEverywhere, 0, "User guide"},

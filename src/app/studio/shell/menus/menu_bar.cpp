@@ -210,6 +210,7 @@ bool underlines_letters(const MenuKeys& keys) {
   return keys.on || ImGui::IsKeyDown(ImGuiKey_LeftAlt);
 }
 
+constexpr const char* kExamplesMenu = "Help/Examples";
 constexpr std::array kMenus = {"File", "Edit", "Mode", "Simulation", "View", "Panels", "Help"};
 
 bool begin_submenu(App& app, const char* title) {
@@ -244,7 +245,14 @@ void draw_entry(App& app, const Binding& b) {
   app.ui->widgets.note_item(b.label);  // also where it says what would be undone
   tooltip(why_disabled(b, app));
   if (chosen) carry_out_if_enabled(b, app);
-  if (b.command.is<ShowOpenDialog>()) draw_recent_files(app);
+}
+
+/// Draws the list of Help > Examples in the menu File too, where users look for something to open.
+void draw_examples(App& app) {
+  if (!begin_submenu(app, "Examples")) return;
+  for (const Binding& row : bindings())
+    if (row.menu != nullptr && std::string_view(row.menu) == kExamplesMenu) draw_entry(app, row);
+  ImGui::EndMenu();
 }
 
 /// Entries of a menu in a row that are in one submenu of it stand in that. Returns where they end.
@@ -283,6 +291,10 @@ void draw_menu(App& app, int index) {
       continue;
     }
     if (b->menu != nullptr && std::string_view(b->menu) == menu) draw_entry(app, *b);
+    if (b->command.is<ShowOpenDialog>() && menu == kMenus.front()) {
+      draw_recent_files(app);
+      draw_examples(app);
+    }
     ++b;
   }
   ImGui::EndMenu();
