@@ -30,9 +30,9 @@ const std::string kLayout = TAXEL_SOURCE_DIR "/assets/layouts/fingertip.taxels.j
 
 /// Returns the part of a state that a gesture in the view must not change.
 Json untouched(Json state) {
-  // `sensor_boxes` are in pixels of the view.
+  // `sensor_boxes` are in pixels of the view, and the texts of `amount` have the labels of the view among them.
   for (const char* part : {"camera", "clicks", "taxels", "samples", "polygons", "labels", "pace", "profile",
-                           "sensor_boxes", "contact", "covered"})
+                           "sensor_boxes", "contact", "covered", "amount"})
     state.erase(part);
   // The legend of the marks folds where it would cover the sensor.
   Json widgets = Json::array();

@@ -1,6 +1,7 @@
-// The number of words that a frame draws.
+// The words that a frame draws: their number, their letters and their places.
 #include <gtest/gtest.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include "interface_frames.h"
 #include "ui/widgets/word_count.h"
@@ -32,6 +33,30 @@ TEST(WordCount, SeparatesWordsFromNumbers) {
   });
   EXPECT_EQ(count.words, 5U);
   EXPECT_EQ(count.numbers, 3U);
+}
+
+TEST(WordCount, ReadsTheLettersOfEachWord) {
+  std::vector<std::string> texts;
+  const WordCount count = count_of([] { ImGui::TextUnformatted("Press 25 ways"); });
+  for (const WordShown& word : count.shown) texts.push_back(word.text);
+  EXPECT_EQ(texts, (std::vector<std::string>{"Press", "25", "ways"}));
+}
+
+TEST(WordCount, SaysWhichWordAnEdgeCuts) {
+  const WordCount count = count_of([] {
+    ImGui::TextUnformatted("seen");
+    ImGui::PushClipRect(ImGui::GetCursorScreenPos(), {ImGui::GetCursorScreenPos().x + 30, 900}, true);
+    ImGui::TextUnformatted("mmmmmmmm");
+    ImGui::PopClipRect();
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    ImGui::RenderTextClipped(at, {at.x + 30, at.y + 20}, "nnnnnnnn", nullptr, nullptr);  // as a button does
+  });
+  ASSERT_EQ(count.shown.size(), 3U);
+  EXPECT_FALSE(count.shown[0].is_cut);
+  EXPECT_TRUE(count.shown[1].is_cut);
+  EXPECT_TRUE(count.shown[2].is_cut);
+  EXPECT_LE(count.shown[1].ink.width(), 30);
+  EXPECT_GT(count.shown[0].ink.height(), 4);
 }
 
 TEST(WordCount, LeavesOutClippedText) {

@@ -259,14 +259,21 @@ Json clip_json(const ui::App& app) {
   return {{"normal", numbers<Json>(app.viewer->clip->normal)}, {"offset", app.viewer->clip->offset}};
 }
 
-/// Returns the number of widgets, of words and of numbers on the screen, and the words and numbers themselves.
+/// Returns the number of widgets, of words and of numbers on the screen, and the words and numbers themselves with their
+/// places.
 Json amount_json(const ui::App& app) {
   const ImDrawData* drawn = ImGui::GetDrawData();
   const ui::WordCount count = drawn != nullptr ? ui::count_words(*drawn) : ui::WordCount{};
+  Json texts = Json::array(), places = Json::array();
+  for (const ui::WordShown& word : count.shown) {
+    texts.push_back(word.text);
+    places.push_back({{"panel", word.panel}, {"rect", to_json(word.ink)}, {"cut", word.is_cut}});
+  }
   return {{"widgets", app.ui->widgets.entries().size()},
           {"words", count.words},
           {"numbers", count.numbers},
-          {"texts", count.texts}};
+          {"texts", std::move(texts)},
+          {"places", std::move(places)}};
 }
 
 /// Returns the size of the window, the share of its area that the 3-D view has, and the panel that fills it, or null.
