@@ -101,6 +101,7 @@ struct InAnalyse {
   bool (*draw_answer)(App& app) = nullptr;
   /// Looks for the answer when the command is carried out. Null if there is nothing to do.
   void (*answer)(App& app) = nullptr;
+  bool magnifies = false;  ///< whether the plot of the readings has the close-up of a change for this panel
 };
 
 /// All members but the used ones keep their defaults.

@@ -476,7 +476,7 @@ constinit const Feature kExplain{
         },
     .parts = explain_parts,
     .guide = "Find why a taxel jumps",
-    .analyse = {.tab = 5, .question = "Why did a reading jump?", .answer = answer_why_it_jumped},
+    .analyse = {.tab = 5, .question = "Why did a reading jump?", .answer = answer_why_it_jumped, .magnifies = true},
     .end_panels =
         [](App& app) {
           answer_at_first_sight(app);

@@ -313,7 +313,8 @@ void draw_plot_panel(App& app) {
   plot.shown = {};
   plot.shown.in_analyse = app.viewer->mode == Mode::analyse;
   plot.shown.fits_contact = fits_contact(app);
-  plot.shown.may_magnify = !plot.shown.in_analyse || is_in_use(kExplain, app);
+  const auto magnifies = [&](const Feature* row) { return row->analyse.magnifies && is_in_use(*row, app); };
+  plot.shown.may_magnify = !plot.shown.in_analyse || std::ranges::any_of(features(), magnifies);
   if (begin_panel(*app.ui, app.shown->run.by_travel() ? kPlot.title : kTimePlotTitle, &app.get<PanelsShown>()[kPlot])) {
     ImGui::BeginGroup();
     if (!plot.shown.in_analyse || !draw_answer_in_front(app)) draw_readings_plot(app);

@@ -175,7 +175,7 @@ struct PlotShown {
   std::optional<PlotReadout> readout;
   int errors = 0;                 ///< number of drawn error bars
   bool in_analyse = false;        ///< whether the panel is the large plot of ANALYSE
-  bool may_magnify = true;        ///< whether a close-up is drawn; in ANALYSE it belongs to the explanation
+  bool may_magnify = true;        ///< whether a close-up is drawn; in ANALYSE a panel in front asks for it
   std::string answer;             ///< title of the panel whose answer is drawn in ANALYSE, or empty
   bool fits_contact = false;      ///< whether only the part with contact is on the axes
   double x_begin = 0, x_end = 0;  ///< ends of the x axis
