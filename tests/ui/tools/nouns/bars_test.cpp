@@ -116,6 +116,45 @@ TEST(BarTexts, GiveTheValuesOfTheSelectionAndOfTheLargestPeaks) {
   EXPECT_TRUE(has_text(drawn(groups, {500, 200}, viewer), "31")) << "its id";
 }
 
+TEST(BarTexts, ArePlacedDirectlyAboveTheirBarsWhereNotAllValuesFit) {
+  for (const auto& [sensors, taxels] : {std::pair(1, 60), {5, 12}}) {
+    const BarsShown shown = drawn(groups_of(sensors, taxels), {700, 200});
+    const float line = shown.texts.front().rect.y1 - shown.texts.front().rect.y0;
+    int values = 0;
+    for (const TextShown& text : shown.texts) {
+      if (text.text.find('.') == std::string::npos) continue;  // an id, a name or a number of the axis
+      const auto bar = std::find_if(shown.bars.begin(), shown.bars.end(), [&](const BarShown& each) {
+        return text.text == number_in_unit(each.value, {"kPa", 1e-3}) && text.rect.x0 <= each.rect.center_x() &&
+               each.rect.center_x() <= text.rect.x1;
+      });
+      ASSERT_NE(bar, shown.bars.end()) << text.text << " is not above its bar";
+      EXPECT_LE(text.rect.y1, bar->y_mark);
+      EXPECT_GT(text.rect.y1, bar->y_mark - line) << "no more than a line away";
+      for (const BarShown& other : shown.bars)
+        EXPECT_FALSE(other.rect.x0 < text.rect.x1 && text.rect.x0 < other.rect.x1 && other.y_mark < text.rect.y1)
+            << text.text << " covers the bar of taxel " << other.taxel_id;
+      ++values;
+    }
+    EXPECT_GE(values, 5);
+  }
+}
+
+TEST(Whiskers, GrowWithTheWidthOfTheBar) {
+  const auto whisker = [](int bars) {
+    std::vector<BarGroup> groups = groups_of(1, bars);
+    for (BarValue& bar : groups[0].values) bar.error = 4e3;
+    const BarsShown shown = drawn(groups, {600, 300});
+    return std::pair(shown.bars[5].rect.width(), shown.bars[5]);
+  };
+  const auto [wide, of_wide] = whisker(12);
+  const auto [narrow, of_narrow] = whisker(60);
+  EXPECT_GT(of_wide.whisker_line, 2);
+  EXPECT_GE(of_narrow.whisker_line, 1);
+  EXPECT_NEAR(of_narrow.whisker.width(), 2.0f / 3 * narrow, 0.01f);
+  EXPECT_GE(of_wide.whisker.width(), std::min(2.0f / 3 * wide, 20.0f));
+  EXPECT_NEAR(of_wide.whisker.height() / of_wide.axis_height, 2 * 4e3 / 80e3, 0.05) << "its height is the error";
+}
+
 TEST(BarTexts, ShortenNamesThatAreWiderThanTheirBars) {
   const BarsShown shown = drawn(groups_of(12, 4), {600, 90});
   EXPECT_FALSE(has_text(shown, "right finger 3"));

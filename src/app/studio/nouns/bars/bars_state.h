@@ -24,8 +24,11 @@ struct BarShown {
   int taxel_id = 0;
   double value = 0;        ///< reading, in SI units
   double error = 0;        ///< error bar of the reading, in SI units; 0 if none is drawn
+  Rect whisker;            ///< box between the caps of the error bar; empty if none is drawn
+  float whisker_line = 0;  ///< thickness of the error bar's lines [pixels]
   double height = 0;       ///< [pixels]
   Rect rect;               ///< the filled part
+  float y_mark = 0;        ///< uppermost pixel of the bar, its peak and its error bar
   double top = 0;          ///< reading at the top of the axis, in SI units
   double axis_height = 0;  ///< height of the whole axis [pixels]
   glm::vec3 color{0};      ///< colour of the filled part, sRGB

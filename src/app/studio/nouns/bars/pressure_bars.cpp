@@ -93,16 +93,24 @@ bool draw_in_taxel_color(ImDrawList& list, const Rect& rect, const glm::vec3& co
   return outlined;
 }
 
-/// Draws the error bar of a reading, in the middle of its bar, dark on light and light on dark.
+/// Draws the error bar of a reading, in the middle of its bar, dark on light and light on dark. Its caps have two
+/// thirds of the bar's width and its lines a twelfth, within limits that grow with the text.
 void draw_whisker(ImDrawList& list, const Axis& axis, const BarValue& bar, float left, float right,
-                  const Palette& colors) {
-  const float x = std::floor(0.5f * (left + right)), half = std::min(4.0f, 0.35f * (right - left));
+                  const Palette& colors, BarShown& shown) {
+  constexpr float kCaps = 2.0f / 3, kLine = 1.0f / 12;                         // of the bar's width
+  constexpr float kMostCaps = 1.6f, kLeastLine = 1.0f / 15, kMostLine = 0.2f;  // in heights of text
+  const float text = ImGui::GetFontSize(), width = right - left;
+  const float x = std::floor(0.5f * (left + right)), half = 0.5f * std::min(kMostCaps * text, kCaps * width);
   const float lo = axis.y(bar.value - bar.error), hi = axis.y(bar.value + bar.error);
-  for (const auto& [color, wide] : {std::pair(colors.field, 3.0f), std::pair(colors.text, 1.0f)}) {
+  const float line = std::clamp(kLine * width, std::max(1.0f, kLeastLine * text), kMostLine * text),
+              halo = 2 * kLeastLine * text;
+  for (const auto& [color, wide] : {std::pair(colors.field, line + halo), std::pair(colors.text, line)}) {
     list.AddLine({x, lo}, {x, hi}, to_u32(color), wide);
     list.AddLineH(x - half, x + half, lo, to_u32(color), wide);
     list.AddLineH(x - half, x + half, hi, to_u32(color), wide);
   }
+  shown.whisker = {x - half, hi, x + half, lo};
+  shown.whisker_line = line;
 }
 
 /// Draws one bar within its column of the axis, from x0 to x1.
@@ -123,20 +131,23 @@ BarShown draw_bar(const Palette& colors, ImDrawList& list, const Axis& axis, flo
   shown.over = bar.value > axis.top;
   if (y < axis.y_zero) shown.outlined = draw_in_taxel_color(list, shown.rect, shown.color, colors);
   shown.error = bar.error;
-  if (bar.error > 0) draw_whisker(list, axis, bar, left, right, colors);
+  shown.y_mark = axis.y(std::max(bar.peak, bar.value + bar.error));
+  if (bar.error > 0) draw_whisker(list, axis, bar, left, right, colors, shown);
   if (bar.peak > 0) list.AddLineH(left, right, axis.y(bar.peak), to_u32(colors.text), 1.5f);
   if (shown.over) {
     const float middle = 0.5f * (left + right), half = std::min(4.0f, 0.5f * (x1 - x0));
+    shown.y_mark = axis.y_top - 1.4f * half;
     list.AddTriangleFilled({middle - half, axis.y_top}, {middle + half, axis.y_top}, {middle, axis.y_top - 1.4f * half},
                            to_u32(colors.text));
   }
   return shown;
 }
 
-/// The lines of text below the bars: ids, values and names of sensors, each of which may be left out.
-struct LinesBelow {
-  bool ids = false, values = false, names = false;
-  [[nodiscard]] int count() const { return (ids ? 1 : 0) + (values ? 1 : 0) + (names ? 1 : 0); }
+/// The lines of text around the bars: ids and names of sensors below them, and values, each of which may be left out.
+/// The values are below the bars if all of them fit there, otherwise some of them are directly above their bars.
+struct TextLines {
+  bool ids = false, values_below = false, values_above = false, names = false;
+  [[nodiscard]] int below() const { return (ids ? 1 : 0) + (values_below ? 1 : 0) + (names ? 1 : 0); }
 };
 
 constexpr float kLineGap = 0.4f;               // gap between texts of a line [heights of text]
@@ -163,16 +174,18 @@ float widest_id(const std::vector<BarGroup>& groups) {
   return small_width(std::to_string(largest));
 }
 
-/// Returns the lines below the bars. The bars themselves get at least two lines of the panel, which has `lines`.
-LinesBelow lines_below(const std::vector<BarGroup>& groups, std::size_t stride, bool all_values, float lines) {
+/// Returns the lines of text. The bars themselves get at least two lines of the panel, which has `lines`.
+TextLines text_lines(const std::vector<BarGroup>& groups, std::size_t stride, bool all_values, float lines) {
   constexpr int kRoomy = 4;  // lines at which some values are worth their line
   const int room = std::max(0, static_cast<int>(lines - 3.3f));
-  LinesBelow below;
-  below.names = groups.size() > 1;
-  const int left = std::max(below.names ? 1 : 0, room) - below.count();
-  below.ids = left >= 1 && stride <= kMaxStride;
-  below.values = left - (below.ids ? 1 : 0) >= 1 && (all_values || groups.size() < 2 || room >= kRoomy);
-  return below;
+  TextLines texts;
+  texts.names = groups.size() > 1;
+  const int left = std::max(texts.names ? 1 : 0, room) - texts.below();
+  texts.ids = left >= 1 && stride <= kMaxStride;
+  const bool has_room = left - (texts.ids ? 1 : 0) >= 1;
+  texts.values_below = has_room && all_values;
+  texts.values_above = has_room && !all_values && (groups.size() < 2 || room >= kRoomy);
+  return texts;
 }
 
 /// The bars in this frame.
@@ -214,49 +227,82 @@ void draw_ids(const BarsFrame& frame, std::size_t stride, float y, BarsShown& sh
   }
 }
 
-/// Draws the value of a bar, with its error bar if both fit in the column. Returns whether there was a place.
-bool draw_value(const BarsFrame& frame, std::size_t g, std::size_t i, float y, TextLine& line, BarsShown& shown) {
-  const BarGroup& group = frame.groups[g];
-  const BarValue& bar = group.values[i];
-  std::string value = number_in_unit(bar.value, group.unit);
-  if (bar.error > 0) {
-    const std::string with_error = fmt::format("{} \xc2\xb1 {}", value, rounded(group.unit.scale * bar.error, 2, 4));
-    if (small_width(with_error) + kLineGap * frame.line <= frame.spans[g].step) value = with_error;
-  }
-  const float width = small_width(value), x = frame.text_x(g, i, width);
-  if (!line.reserve(x, x + width)) return false;
-  draw_small_text(frame.list, {x, y}, to_u32(bar.value > 0 ? frame.colors.text : frame.colors.dim), value, shown.texts);
-  return true;
+/// Returns the value of a bar, with its error bar if both fit in the column.
+std::string value_text(const BarsFrame& frame, const BarGroup& group, const BarValue& bar, float step) {
+  const std::string value = number_in_unit(bar.value, group.unit);
+  if (!(bar.error > 0)) return value;
+  const std::string with_error = fmt::format("{} \xc2\xb1 {}", value, rounded(group.unit.scale * bar.error, 2, 4));
+  return small_width(with_error) + kLineGap * frame.line <= step ? with_error : value;
 }
 
-/// Draws the values below the bars. If `all` do not fit, those of selected taxels and then those with the largest peaks
-/// get a place: unlike readings, peaks keep their order while a contact moves.
-void draw_values(const BarsFrame& frame, bool all, float y, BarsShown& shown) {
-  struct Candidate {
-    bool selected;
-    double peak;
-    std::size_t group, bar;
-  };
+/// Draws the values of all bars below them.
+void draw_values_below(const BarsFrame& frame, float y, BarsShown& shown) {
   TextLine line(kLineGap * frame.line);
-  std::vector<Candidate> candidates;
   for (std::size_t g = 0; g < frame.groups.size(); ++g) {
     for (std::size_t i = 0; i < frame.groups[g].values.size(); ++i) {
       const BarValue& bar = frame.groups[g].values[i];
+      const std::string value = value_text(frame, frame.groups[g], bar, frame.spans[g].step);
+      const float width = small_width(value), x = frame.text_x(g, i, width);
+      if (line.reserve(x, x + width))
+        draw_small_text(frame.list, {x, y}, to_u32(bar.value > 0 ? frame.colors.text : frame.colors.dim), value,
+                        shown.texts);
+    }
+  }
+}
+
+/// Returns whether a text at `place` covers no other text and no part of a bar.
+bool is_free(const Rect& place, float gap, const BarsShown& shown) {
+  const auto crosses = [&](const Rect& other) {
+    return other.x0 < place.x1 && place.x0 < other.x1 && other.y0 < place.y1 && place.y0 < other.y1;
+  };
+  return std::none_of(shown.texts.begin(), shown.texts.end(),
+                      [&](const TextShown& text) {
+                        const Rect& r = text.rect;
+                        return crosses({r.x0 - gap, r.y0, r.x1 + gap, r.y1});
+                      }) &&
+         std::none_of(shown.bars.begin(), shown.bars.end(), [&](const BarShown& bar) {
+           return crosses({bar.rect.x0, bar.y_mark, bar.rect.x1, bar.rect.y1});
+         });
+}
+
+/// Draws values directly above their bars where they cover nothing: those of selected taxels first, and then those with
+/// the largest peaks. Unlike readings, peaks keep their order while a contact moves.
+void draw_values_above(const BarsFrame& frame, BarsShown& shown) {
+  struct Candidate {
+    bool selected;
+    double peak;
+    std::size_t group, bar, drawn;
+  };
+  std::vector<Candidate> candidates;
+  std::size_t drawn = 0;
+  for (std::size_t g = 0; g < frame.groups.size(); ++g) {
+    for (std::size_t i = 0; i < frame.groups[g].values.size(); ++i, ++drawn) {
+      const BarValue& bar = frame.groups[g].values[i];
       const bool selected = frame.selected(frame.groups[g], bar);
       const double peak = std::max(bar.peak, bar.value) / std::max(1e-300, frame.groups[g].top);
-      if (all)
-        draw_value(frame, g, i, y, line, shown);
-      else if (selected || bar.value > 0)
-        candidates.push_back({selected, peak, g, i});
+      if (selected || bar.value > 0) candidates.push_back({selected, peak, g, i, drawn});
     }
   }
   const auto first = [](const Candidate& a, const Candidate& b) {
-    return std::tuple(!a.selected, -a.peak, a.group, a.bar) < std::tuple(!b.selected, -b.peak, b.group, b.bar);
+    return std::tuple(!a.selected, -a.peak, a.drawn) < std::tuple(!b.selected, -b.peak, b.drawn);
   };
   const std::size_t tried = std::min(kMaxWrittenValues, candidates.size());
   std::partial_sort(candidates.begin(), candidates.begin() + static_cast<std::ptrdiff_t>(tried), candidates.end(),
                     first);
-  for (std::size_t c = 0; c < tried; ++c) draw_value(frame, candidates[c].group, candidates[c].bar, y, line, shown);
+  candidates.resize(tried);
+  for (const Candidate& each : candidates) {
+    const BarGroup& group = frame.groups[each.group];
+    const BarValue& bar = group.values[each.bar];
+    const std::string value = value_text(frame, group, bar, frame.spans[each.group].step);
+    const float width = small_width(value), x = frame.text_x(each.group, each.bar, width);
+    float mark = shown.bars[each.drawn].y_mark;
+    for (const BarShown& other : shown.bars)  // a selected taxel has its value, even above higher neighbours
+      if (each.selected && other.rect.x0 < x + width && x < other.rect.x1) mark = std::min(mark, other.y_mark);
+    const float bottom = std::floor(mark - 0.15f * frame.line);
+    const Rect place{x, bottom - frame.line, x + width, bottom};
+    if (is_free(place, kLineGap * frame.line, shown))
+      draw_small_text(frame.list, {place.x0, place.y0}, to_u32(frame.colors.text), value, shown.texts);
+  }
 }
 
 /// Draws the names of the sensors below their bars, shortened to the room up to the next sensor. A unit that is not on
@@ -352,12 +398,12 @@ std::optional<ClickedBar> draw_pressure_bars(WindowUi& ui, const Viewer& viewer,
   const float step = spans.front().step, room = step - kLineGap * line;
   const std::size_t stride = text_stride(widest_id(groups) + kLineGap * line, step);
   const bool all_values = widest_value(groups, room) <= room;
-  const LinesBelow below = lines_below(groups, stride, all_values, size.y / line);
+  const TextLines texts = text_lines(groups, stride, all_values, size.y / line);
   const BarGroup& first = selected_group(groups, viewer.selection);
   Axis axis{left,
             right,
-            origin.y + size.y - (static_cast<float>(below.count()) + 0.7f) * line,
-            origin.y + 0.6f * line,
+            origin.y + size.y - (static_cast<float>(texts.below()) + 0.7f) * line,
+            origin.y + (texts.values_above ? 1.6f : 0.6f) * line,
             first.top,
             first.unit};
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -373,9 +419,10 @@ std::optional<ClickedBar> draw_pressure_bars(WindowUi& ui, const Viewer& viewer,
     if (pressed) clicked = ClickedBar{groups[g].sensor, groups[g].values[*under].id};
   }
   float y = axis.y_zero + std::min(7.0f, 0.6f * line);  // below the strips of colours
-  if (below.ids) draw_ids(frame, stride, std::exchange(y, y + line), shown);
-  if (below.values) draw_values(frame, all_values, std::exchange(y, y + line), shown);
-  if (below.names) draw_group_names(ui, frame, first.unit, y, shown);
+  if (texts.ids) draw_ids(frame, stride, std::exchange(y, y + line), shown);
+  if (texts.values_below) draw_values_below(frame, std::exchange(y, y + line), shown);
+  if (texts.values_above) draw_values_above(frame, shown);
+  if (texts.names) draw_group_names(ui, frame, first.unit, y, shown);
   return clicked;
 }
 

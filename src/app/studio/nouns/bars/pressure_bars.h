@@ -80,8 +80,9 @@ struct ClickedBar {
 /// height is the reading, and a whisker its error bar. A bar above a fixed range ends in an arrow. The numbers of the
 /// axis are those of the selected sensor; a group with another unit has the upper end of its axis behind its name. Bars
 /// of selected taxels are highlighted. No text overlaps another one: if ids do not fit below all bars, every second,
-/// fifth or tenth bar has its id, and the values of selected taxels and of those with the largest peaks are drawn. The
-/// axis names its unit if `with_unit`. Records the drawn bars in `shown`. Returns the clicked bar, if any.
+/// fifth or tenth bar has its id. If values do not fit below all bars, those of selected taxels and of those with the
+/// largest peaks are directly above their bars. The axis names its unit if `with_unit`. Records the drawn bars in
+/// `shown`. Returns the clicked bar, if any.
 std::optional<ClickedBar> draw_pressure_bars(WindowUi& ui, const Viewer& viewer, BarsShown& shown,
                                              const std::vector<BarGroup>& groups, ImVec2 size, bool with_unit);
 
