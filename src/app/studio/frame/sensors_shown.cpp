@@ -79,8 +79,18 @@ bool is_selected(const Selection& selection, const TaxelKey& key) {
   return key.sensor == selection.sensor && selection.contains(key.id);
 }
 
+std::string force_text(const Viewer& viewer, const Shown& shown, int decimals) {
+  const SensorStep* step = shown.state(viewer);
+  if (step == nullptr) return "";
+  const std::string force = fmt::format("{:.{}f} N", glm::length(step->force_W), decimals);
+  if (!shown.shows_scene(viewer)) return force;
+  const std::vector<SensorShown> sensors = sensors_shown(shown.run);
+  const auto found = std::ranges::find(sensors, step, &SensorShown::step);
+  return sensors.size() > 1 && found != sensors.end() ? found->name + ": " + force : force;
+}
+
 void click_taxel_of(Selection& selection, const TaxelKey& key, bool shift) {
-  if (selection.sensor != key.sensor) selection = {key.sensor, {}, selection.body};
+  if (selection.sensor != key.sensor) selection = {key.sensor, {}, selection.body, true};
   click_taxel(selection, key.id, shift);
 }
 

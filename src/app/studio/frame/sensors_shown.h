@@ -46,6 +46,10 @@ struct SensorPlace {
 /// Returns the name of a taxel: its id, and the name of its sensor before it if there are several sensors.
 [[nodiscard]] std::string taxel_label(const std::vector<SensorShown>& sensors, const SensorShown& sensor, int id);
 
+/// Returns the contact force on the displayed sensor with its unit, and the name of the sensor before it if there are
+/// several: "index: 0.42 N". Empty without a sensor.
+[[nodiscard]] std::string force_text(const Viewer& viewer, const Shown& shown, int decimals);
+
 /// Returns whether both units are the same, so that their readings share an axis.
 [[nodiscard]] bool same_unit(const ReadingUnit& a, const ReadingUnit& b);
 

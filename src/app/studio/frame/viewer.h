@@ -21,6 +21,8 @@ struct Selection {
   /// Ids of the selected taxels, each once, in the order of selection; the last one is the active taxel.
   std::vector<int> taxels;
   int body = -1;  ///< index in SceneControls::bodies, or -1 if no body is selected
+  /// Whether the user chose the sensor. Otherwise it is only the one whose numbers are displayed.
+  bool is_sensor_chosen = false;
   bool operator==(const Selection&) const = default;
 
   [[nodiscard]] bool empty() const { return taxels.empty(); }
@@ -28,7 +30,11 @@ struct Selection {
   /// Returns the id of the taxel whose values are displayed as single numbers, or empty if no taxel is selected.
   [[nodiscard]] std::optional<int> active() const;
 
-  void clear() { taxels.clear(); }  ///< deselects all taxels
+  /// Deselects all taxels, and the sensor.
+  void clear() {
+    taxels.clear();
+    is_sensor_chosen = false;
+  }
   void set(int id) { taxels = {id}; }
   void add(int id);  ///< selects a taxel and makes it the active one
   void remove(int id);

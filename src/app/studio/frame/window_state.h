@@ -59,15 +59,16 @@ struct Appearance {
 /// Each mode has an arrangement of its own. Only the arrangement of the displayed mode exists in ImGui; the others
 /// are kept as texts, which are also the texts of their files.
 struct Arrangement {
-  double scale = 0;                       ///< scale for which the panels were arranged, or 0 before that
-  bool reset = false;                     ///< whether the panels are to be arranged again
-  int toolbar_rows = 1, status_rows = 1;  ///< rows that they needed in the previous frame
-  int timeline_rows = 1;                  ///< rows of the timeline's buttons in the previous frame
-  std::array<std::string, 3> kept;        ///< arrangement of each mode, or empty for a new one
-  std::optional<std::size_t> displayed;   ///< index in `kept` of the displayed arrangement
-  std::string maximised;                  ///< title of the panel that is to fill the window, or empty
-  std::string filling;                    ///< title of the panel that fills the window now, or empty
-  float width = 0, height = 0;            ///< size of the window [pixels]
+  double scale = 0;                      ///< scale for which the panels were arranged, or 0 before that
+  bool reset = false;                    ///< whether the panels are to be arranged again
+  bool resets_twice = false;             ///< whether they are again in the next frame
+  int toolbar_rows = 1;                  ///< rows of the toolbar in the previous frame
+  int timeline_rows = 1;                 ///< rows of the timeline's buttons in the previous frame
+  std::array<std::string, 3> kept;       ///< arrangement of each mode, or empty for a new one
+  std::optional<std::size_t> displayed;  ///< index in `kept` of the displayed arrangement
+  std::string maximised;                 ///< title of the panel that is to fill the window, or empty
+  std::string filling;                   ///< title of the panel that fills the window now, or empty
+  float width = 0, height = 0;           ///< size of the window [pixels]
 };
 
 /// How many of the window's parts are displayed next to the 3-D view.

@@ -11,6 +11,7 @@
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_state.h"
 #include "app/studio/frame/window_ui.h"
+#include "ui/theme.h"
 
 namespace taxel::ui {
 
@@ -210,9 +211,10 @@ void draw_dock_space(App& app) {
   const ImGuiID space = ImGui::GetID("Taxel Studio");
   a.width = viewport->Size.x;
   a.height = viewport->Size.y;
-  if (scale_wants_another(app, viewport->Size)) {  // whatever rows the bars need
+  a.reset = a.reset || std::exchange(a.resets_twice, false);
+  if (scale_wants_another(app, viewport->Size)) {
     a.kept = {};
-    a.reset = true;
+    a.reset = a.resets_twice = true;  // the bars at the edges have their new rows in the next frame
   }
   if (a.reset || ImGui::DockBuilderGetNode(space) == nullptr) {
     a.maximised.clear();
@@ -227,14 +229,20 @@ void draw_dock_space(App& app) {
   a.reset = false;
   if (app.get<WindowParts>().is_presenting) a.maximised = kViewTitle;  // also after the mode has changed
   ImGui::SetNextWindowBgAlpha(0);                                      // the window is cleared to this colour already
-  // Narrow tabs fit into the column of ANALYSE.
-  const bool is_narrow = app.viewer->mode == Mode::analyse;
   ImVec2 padding = ImGui::GetStyle().FramePadding, spacing = ImGui::GetStyle().ItemInnerSpacing;
-  if (is_narrow) padding.x *= 0.5f, spacing.x = 2;
+  const bool is_compact_column = has_narrow_tabs(app) && app.viewer->mode != Mode::analyse;
+  if (has_narrow_tabs(app)) padding.x *= is_compact_column ? 0.3f : 0.5f, spacing.x = is_compact_column ? 1 : 2;
+  ImGui::PushFont(nullptr, is_compact_column ? kTextHeight * kSmallText : 0);
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, padding);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemInnerSpacing, spacing);
   ImGui::DockSpaceOverViewport(space, viewport);
   ImGui::PopStyleVar(2);
+  ImGui::PopFont();
+}
+
+bool has_narrow_tabs(const App& app) {
+  const Arrangement& a = app.get<Arrangement>();
+  return app.viewer->mode == Mode::analyse || is_compact({a.width, a.height}, ImGui::GetFontSize());
 }
 
 bool has_room(const Arrangement& arrangement, const char* title, Dock dock) {

@@ -20,6 +20,10 @@ void switch_arrangement(App& app);
 /// first, and when Arrangement::reset is set.
 void draw_dock_space(App& app);
 
+/// Returns whether tabs are narrow, and those of the column of panels have no button to close them, so that all their
+/// titles are readable: in ANALYSE, and in a compact window.
+[[nodiscard]] bool has_narrow_tabs(const App& app);
+
 /// Returns whether a panel is to be drawn while another one may fill the window.
 [[nodiscard]] bool has_room(const Arrangement& arrangement, const char* title, Dock dock);
 

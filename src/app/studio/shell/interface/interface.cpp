@@ -233,12 +233,18 @@ void of_each_feature(App& app) {
     if (row->*kCall != nullptr) (row->*kCall)(app);
 }
 
-/// The tabs of ANALYSE stay: six of them fit into a narrow column without buttons to close them.
+/// The tabs of ANALYSE and those of the column in a compact window stay: they fit into a narrow column without buttons
+/// to close them. Panels that open by their own state have a button of their own.
 void fix_tabs(App& app) {
   app.ui->fixed.clear();
-  if (app.viewer->mode != Mode::analyse) return;
+  if (!has_narrow_tabs(app)) return;
+  const bool analyses = app.viewer->mode == Mode::analyse;
+  const auto is_in_column = [](Dock dock) {
+    return dock == Dock::outline || dock == Dock::taxels || dock == Dock::inspector;
+  };
   for (const Feature* row : features())
-    if (row->analyse.tab > 0) app.ui->fixed.push_back(row->title);
+    if (analyses ? row->analyse.tab > 0 : (row->open || row->opens == Opens::never) && is_in_column(row->dock))
+      app.ui->fixed.push_back(row->title);
 }
 
 void draw_panels(App& app, SceneRenderer& renderer) {
