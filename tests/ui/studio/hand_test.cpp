@@ -231,6 +231,11 @@ TEST(Hand, FramesTheSelectedSensorAndTaxel) {
                dump("all.json"),
                key("Period"),
                kIdle,
+               dump("none.json"),
+               press("Outliner/index"),
+               kIdle,
+               key("Period"),
+               kIdle,
                dump("index.json"),
                press("Filter the outliner"),
                kIdle,
@@ -255,11 +260,69 @@ TEST(Hand, FramesTheSelectedSensorAndTaxel) {
   const Json all = studio.state("all.json");
   const auto distance = [&](const char* name) { return studio.state(name)["camera"]["distance"].get<double>(); };
   const auto position = [&](std::size_t sensor) { return vector_of(all["simulation"]["sensors"][sensor]["position"]); };
+  const Json none = studio.state("none.json");
+  for (const Json& box : none["sensor_boxes"]) EXPECT_TRUE(box["inside"]) << "all sensors";
   EXPECT_LT(glm::distance(target("index.json"), position(0)), 0.02);
   EXPECT_LT(glm::distance(target("thumb.json"), position(4)), 0.02);
   EXPECT_GT(glm::distance(target("index.json"), target("thumb.json")), 0.02);
   EXPECT_LT(distance("index.json"), 0.6 * distance("all.json"));
   EXPECT_LT(distance("taxel.json"), distance("thumb.json"));
+}
+
+TEST(Hand, FramesAllContactsUntilAFingerIsChosen) {
+  const StudioProgram studio;
+  studio.play({kIdle,
+               wait_time(0.6),
+               key("Space"),
+               kIdle,
+               key("Period"),
+               kIdle,
+               dump("all.json"),
+               press("Taxel index 0"),
+               kIdle,
+               click(in_view(0.6, 0.02)),
+               kIdle,
+               key("Period"),
+               kIdle,
+               dump("again.json"),
+               press("Outliner tab"),
+               kIdle,
+               kIdle,
+               press("Outliner/index"),
+               kIdle,
+               key("Period"),
+               kIdle,
+               dump("index.json")},
+              {"--size", "1280x1000", "--keyframe", "hold", kHandScene});
+  const Json all = studio.state("all.json"), index = studio.state("index.json");
+  std::size_t touching = 0;
+  for (const Json& sensor : all["simulation"]["sensors"]) touching += sensor["polygons"].get<int>() > 0 ? 1 : 0;
+  ASSERT_EQ(touching, 5U);
+  const Json& arrows = all["contact"]["arrows"];
+  ASSERT_EQ(arrows.size(), 5U);
+  const Json& view = all["view"]["rect"];
+  for (const Json& arrow : arrows)
+    EXPECT_TRUE(arrow[0][0] > view[0] && arrow[0][0] < view[2] && arrow[0][1] > view[1] && arrow[0][1] < view[3])
+        << arrow << " begins at a contact in " << view;
+  EXPECT_EQ(studio.state("again.json")["camera"], all["camera"])
+      << "a click next to the scene deselects the finger too";
+  EXPECT_LT(index["camera"]["distance"].get<double>(), 0.6 * all["camera"]["distance"].get<double>());
+}
+
+TEST(Hand, NamesTheFingerWhoseForceIsShown) {
+  const StudioProgram studio;
+  studio.play({kIdle, wait_time(0.6), key("Space"), kIdle, dump("index.json"), press("Filter taxels"), kIdle,
+               type("thumb"), kIdle, press("Taxel thumb 4"), kIdle, kIdle, dump("thumb.json"), key("F9"), kIdle, kIdle,
+               dump("presented.json")},
+              {"--size", "1600x2400", "--keyframe", "hold", kHandScene});
+  const auto has_label = [](const Json& state, const std::string& begin) {
+    return std::any_of(state["widgets"].begin(), state["widgets"].end(),
+                       [&](const Json& widget) { return widget["label"].get<std::string>().starts_with(begin); });
+  };
+  EXPECT_TRUE(has_label(studio.state("index.json"), "force index: "));
+  EXPECT_TRUE(has_label(studio.state("thumb.json"), "force thumb: "));
+  const Json texts = studio.state("presented.json")["amount"]["texts"];
+  EXPECT_NE(std::find(texts.begin(), texts.end(), "thumb:"), texts.end()) << texts;
 }
 
 TEST(Hand, IsNotCoveredByTheLegendOfTheMarks) {

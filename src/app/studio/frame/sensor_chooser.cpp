@@ -65,6 +65,7 @@ void draw_sensor_chooser(WindowUi& ui, SensorChooser& chooser, Selection& select
   ImGui::EndChild();
   if (chosen) {
     if (sensors[*chosen].index != selection.sensor) selection = {sensors[*chosen].index, {}, selection.body};
+    selection.is_sensor_chosen = true;
     ImGui::CloseCurrentPopup();
   }
   ImGui::EndCombo();

@@ -177,14 +177,19 @@ Aabb contact_box(const Viewer& viewer, const Shown& shown, int sensor) {
 }
 
 Aabb selection_box(const Viewer& viewer, const Shown& shown) {
+  const int chosen = viewer.selection.is_sensor_chosen ? viewer.selection.sensor : -1;
   Aabb box;
-  for (const int sensor : {viewer.selection.sensor, -1})
+  for (const int sensor : {chosen, -1})
     if (viewer.selection.empty() && box.empty()) box = contact_box(viewer, shown, sensor);
   if (!box.empty()) return box;
   const SensorModelPtr model = shown.model(viewer);
   if (!model) return box;
-  if (viewer.selection.empty() && shown.shows_scene(viewer) && shown.sensor(viewer) != nullptr)
-    include_mesh(box, *model->mesh, shown_pose(viewer, shown));
+  if (viewer.selection.empty() && has_simulated_scene(viewer, shown)) {
+    const std::vector<SensorStep>& states = shown.run.frame->sensors;
+    for (std::size_t s = 0; s < states.size() && s < shown.run.frame->scene->sensors.size(); ++s)
+      if (chosen < 0 || s == static_cast<std::size_t>(chosen))
+        include_mesh(box, *shown.run.frame->scene->sensors[s]->mesh, states[s].X_WM);
+  }
   for (const int index : selected_indices(viewer.selection, model->layout)) {
     const Taxel& taxel = model->layout.taxels[static_cast<std::size_t>(index)];
     const dvec3 center_W = shown_pose(viewer, shown) * taxel.center;

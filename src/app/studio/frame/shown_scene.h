@@ -26,8 +26,9 @@ struct App;
 /// Returns the box of the contact surfaces of a sensor in the displayed step, or of all sensors if `sensor` is -1, or
 /// of the pressed probe, with a little room around them; empty without contact.
 [[nodiscard]] Aabb contact_box(const Viewer& viewer, const Shown& shown, int sensor = -1);
-/// Returns the box of the selected taxels' receptive fields. If none is selected, returns the contact of the selected
-/// sensor, or of all sensors; without contact the box of the selected sensor in SIMULATE, and an empty box in LAYOUT.
+/// Returns the box of the selected taxels' receptive fields. If none is selected, returns the contact of the sensor
+/// that the user chose, or of all sensors; without contact the box of that sensor or of all in SIMULATE, and an empty
+/// box in LAYOUT.
 [[nodiscard]] Aabb selection_box(const Viewer& viewer, const Shown& shown);
 /// Returns the pose of the mesh file's frame in the world, as the view shows it.
 [[nodiscard]] Pose shown_pose(const Viewer& viewer, const Shown& shown);

@@ -94,10 +94,10 @@ void draw_scene_sensor(WindowUi& ui, Selection& selection, int& shown_body, cons
   const SimScene& scene = *run.frame->scene;
   const auto i = static_cast<std::size_t>(sensor);
   const std::string name = i < scene.sensor_geoms.size() ? scene.sensor_geoms[i] : fmt::format("sensor {}", i);
-  if (selectable(ui, fmt::format("{}##sensor{}", name, i).c_str(), selection.sensor == sensor) &&
-      selection.sensor != sensor) {
+  if (selectable(ui, fmt::format("{}##sensor{}", name, i).c_str(), selection.sensor == sensor)) {
     const int body = body_of_sensor(scene, sensor);
-    selection = {sensor, {}, body > 0 ? body : -1};
+    if (selection.sensor != sensor) selection = {sensor, {}, body > 0 ? body : -1};
+    selection.is_sensor_chosen = true;
     shown_body = selection.body;
   }
   offer_sensor(ui, selection, run, sensor);

@@ -44,8 +44,7 @@ std::string presented_name(const Viewer& viewer, const Shown& shown) {
 
 /// Returns the time of the displayed step and the force on the sensor, or the force on the probe.
 std::string presented_numbers(const Viewer& viewer, const Shown& shown) {
-  const SensorStep* sensor = shown.state(viewer);
-  const std::string force = sensor != nullptr ? fmt::format("{:.2f} N", glm::length(sensor->force_W)) : "";
+  const std::string force = force_text(viewer, shown, 2);
   if (!shown.shows_scene(viewer) || !shown.run.frame) return force;
   const std::string time = fmt::format("{:.2f} s", shown.run.frame->time);
   return force.empty() ? time : time + "   " + force;

@@ -57,9 +57,11 @@ void draw_sensors(WindowUi& ui, Selection& selection, const ControlsState& contr
     const SceneAttachment* attached = attachment_on(run, geom);
     ImGui::AlignTextToFramePadding();
     if (selectable(ui, fmt::format("{}##sensor of{}", geom, i).c_str(), selection.sensor == static_cast<int>(i),
-                   ImGuiSelectableFlags_AllowOverlap) &&
-        selection.sensor != static_cast<int>(i))
-      selection = {static_cast<int>(i), {}, lit_body(body_of_sensor(scene, static_cast<int>(i)))};
+                   ImGuiSelectableFlags_AllowOverlap)) {
+      if (selection.sensor != static_cast<int>(i))
+        selection = {static_cast<int>(i), {}, lit_body(body_of_sensor(scene, static_cast<int>(i)))};
+      selection.is_sensor_chosen = true;
+    }
     if (attached != nullptr) tooltip(attached->layout);
     offer_sensor(ui, selection, run, static_cast<int>(i));
     ImGui::SameLine();

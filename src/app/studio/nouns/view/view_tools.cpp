@@ -149,6 +149,7 @@ void select_under(App& app, const std::optional<Pick>& under, bool shift) {
   } else if (!shift) {
     app.viewer->selection.clear();
   }
+  if (under && under->sensor >= 0) app.viewer->selection.is_sensor_chosen = true;
 }
 
 /// Centres the camera on a pick; with Ctrl the camera follows the picked body.
