@@ -54,6 +54,8 @@ TEST(Framing, LooksAtTheContactIfNothingIsSelected) {
                wait_time(1),
                key("Space"),
                kIdle,
+               key("Home"),
+               kIdle,
                dump("far.json"),
                key("Period"),
                kIdle,
@@ -83,6 +85,44 @@ TEST(Framing, LooksAtTheContactIfNothingIsSelected) {
               60)
         << to;
   }
+}
+
+TEST(Framing, ComesNearTheContactOfARunUntilTheUserMovesTheCamera) {
+  const StudioProgram studio;
+  const auto drag = [](const char* event, double u) {
+    return std::string(R"({"event": ")") + event + R"(", "at": )" + in_view(u, 0.2) + "}";
+  };
+  studio.play({kIdle,
+               wait_time(0.3),
+               dump("begins.json"),
+               wait_time(1.5),
+               dump("touches.json"),
+               key("Space"),
+               kIdle,
+               key("Home"),
+               kIdle,
+               dump("whole.json"),
+               drag("mouse_down", 0.4),
+               kIdle,
+               drag("mouse_move", 0.5),
+               kIdle,
+               drag("mouse_up", 0.5),
+               kIdle,
+               dump("turned.json"),
+               key("Space"),
+               wait_time(1.8),
+               dump("later.json")},
+              sparse_fingertip(studio, 1e5, "1280x800"));
+  const Json begins = studio.state("begins.json"), touches = studio.state("touches.json"),
+             whole = studio.state("whole.json");
+  EXPECT_TRUE(begins["sensor_boxes"][0]["inside"]) << "the first view has the whole sensor";
+  const double near = touches["contact"]["part_of_view"], far = whole["contact"]["part_of_view"];
+  ASSERT_GT(far, 0);
+  EXPECT_GT(near, 1.7 * far);
+  for (const Json& polygon : touches["polygons"]) EXPECT_TRUE(polygon["inside"]);
+  EXPECT_NE(studio.state("turned.json")["camera"], whole["camera"]);
+  EXPECT_EQ(studio.state("later.json")["camera"], studio.state("turned.json")["camera"]) << "that of the user";
+  EXPECT_GT(studio.state("later.json")["simulation"]["time"], 1.7);
 }
 
 TEST(Framing, SeesATipAsAFingerFromItsPad) {

@@ -127,7 +127,10 @@ TEST(RunMarks, NameTheFingersOfAHandAndTheForces) {
 
 TEST(RunMarks, HaveNamesAndUnitsInTheLegend) {
   const StudioProgram studio;
-  studio.play(joined({paused_at("2.3"), {dump("run.json"), key("Y"), kIdle, dump("no_rays.json")}}));
+  studio.play(
+      joined({{kIdle, R"({"event": "wheel", "at": {"view": [0.5, 0.5]}, "y": -0.01})", kIdle},  // the camera stays
+              paused_at("2.3"),
+              {dump("run.json"), key("Y"), kIdle, dump("no_rays.json")}}));
   const Json state = studio.state("run.json");
   const std::set<std::string> texts = texts_of(state, "Marks");
   for (const char* text : {"Net force", "10 mm = 1 N", "Rays to the contact", "Path of the finger", "Normals of taxels",

@@ -79,10 +79,10 @@ TEST(Time, ShowsRecordedStepsWhenScrubbedBackTenSteps) {
 
 TEST(Time, GoesBackFiveHundredStepsAfterALayoutChange) {
   const StudioProgram studio;
-  const Lines edited = joined(
-      {kInContact,
-       {dump("first.json"), key("Space"), wait_time(1.85), key("Space"), kIdle, kLayoutMode, kIdle, click(taxel(3)),
-        kIdle, key("f"), type("2"), key("Enter"), kIdle, key("2", kCtrl), kIdle, dump("edited.json")}});
+  const Lines edited = joined({kInContact,
+                               {key("Home"), kIdle, dump("first.json"), key("Space"), wait_time(1.85), key("Space"),
+                                kIdle, kLayoutMode, kIdle, click(taxel(3)), kIdle, key("f"), type("2"), key("Enter"),
+                                kIdle, key("2", kCtrl), kIdle, dump("edited.json")}});
   studio.play(edited);
   const Json first = studio.state("first.json"), changed = studio.state("edited.json");
   const int step = first["simulation"]["step"];

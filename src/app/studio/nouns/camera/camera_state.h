@@ -64,9 +64,16 @@ struct Framing {
   bool checks_view = false;     ///< the mode has changed: a sensor outside of the view is to be framed
   /// Cameras saved with the project (LAYOUT) or the step (SIMULATE) that was opened.
   std::array<std::optional<Camera>, 2> saved;
-  /// Cameras, one per mode, as they framed the scene without the user.
+  /// Cameras, one per mode, as they framed the scene or its contact without the user.
   std::array<std::optional<Camera>, 2> framed;
 };
+/// The camera of a scenario's run, which looks at the contact until the user moves it.
+struct ContactCamera {
+  bool leads = false;
+};
+/// Moves the camera of a playing scenario to its contact, `seconds` further, so that contact and pad fill the view.
+void lead_to_contact(App& app, double seconds);
+
 /// Frames each camera that waits for it, and the present camera if it does not show the sensor after a change of mode.
 void frame_cameras(App& app);
 /// Returns whether the user has not moved the camera of the present mode since it framed the scene.

@@ -1,4 +1,6 @@
 // The commands about cameras, the camera that follows the scene, and tests of whether the view shows the sensors.
+#include <imgui.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -238,7 +240,11 @@ bool point_camera(App& app, const PointerEvent& event) {
 }  // namespace
 
 constinit const Feature kCameraFollow{
-    .update = [](App& app) { follow_scene(*app.viewer, app.shown->run, app.get<FollowState>()); },
+    .update =
+        [](App& app) {
+          follow_scene(*app.viewer, app.shown->run, app.get<FollowState>());
+          lead_to_contact(app, ImGui::GetIO().DeltaTime);
+        },
     .tool = {"camera", kEverywhere, point_camera, 13, [](const App&) { return true; },
              [](App& app) { free_camera(*app.viewer, app.get<FollowState>()); }},
     .dump = dump_camera_follow,
@@ -292,9 +298,12 @@ void frame_cameras(App& app) {
     app.viewer->mode = each;
     if (!app.get<Framing>().turns[i] || !has_scene(app)) continue;
     app.get<Framing>().turns[i] = false;
-    show_scene_first(*app.viewer, *app.shown, std::exchange(app.get<Framing>().first[i], false));
+    const bool is_first = std::exchange(app.get<Framing>().first[i], false);
+    const std::optional<Camera> saved = std::exchange(app.get<Framing>().saved[i], std::nullopt);
+    show_scene_first(*app.viewer, *app.shown, is_first);
     app.get<Framing>().framed[i] = app.viewer->cameras[i];
-    if (app.get<Framing>().saved[i]) app.viewer->cameras[i] = *std::exchange(app.get<Framing>().saved[i], std::nullopt);
+    if (saved) app.viewer->cameras[i] = *saved;
+    if (each == Mode::simulate && is_first) app.get<ContactCamera>().leads = !saved;
   }
   app.viewer->mode = mode;
   if (!app.get<Framing>().checks_view || !has_scene(app)) return;
