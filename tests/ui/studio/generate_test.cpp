@@ -103,7 +103,7 @@ TEST(Generate, UpdatesThePreviewByFieldsAndRefusesNonsense) {
                       {dump("half.json")},
                       set_field("Rows", "none"),
                       {dump("word.json")}}),
-              {kMeshFile});
+              {"--size", "1280x1000", kMeshFile});
   const Json four = studio.state("four.json")["generate"]["taxels"];
   ASSERT_EQ(four.size(), 4U);
   const dvec3 normal = vector_of(studio.state("four.json")["generate"]["normal"]);

@@ -35,19 +35,10 @@ namespace {
 
 constexpr FieldUnit kWhole{"", 0, 0};
 
-void begin_row(const char* name, const char* tip) {
-  ImGui::TableNextRow();
-  ImGui::TableNextColumn();
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextDisabled("%s", name);
-  tooltip(tip);
-  ImGui::TableNextColumn();
-}
-
 void draw_field(WindowUi& ui, GenerateState& /*generate*/, const FieldSpec& field, double& value) {
   const bool angle = field.quantity == FieldQuantity::angle;
   const std::string name = angle ? std::string(field.label) + " (deg)" : label_with_unit(field);
-  begin_row(name.c_str(), field.help);
+  begin_property(name.c_str(), field.help);
   if (const auto typed = number_field(ui, name, {value}, field_unit(field.quantity, angle ? 1 : 2))) value = *typed;
   tooltip(field.help);
 }
@@ -56,7 +47,7 @@ void draw_field(WindowUi& ui, GenerateState& /*generate*/, const FieldSpec& fiel
 template <class Int>
 requires std::is_same_v<Int, int> || std::is_same_v<Int, std::uint64_t>
 void draw_field(WindowUi& ui, GenerateState& generate, const FieldSpec& field, Int& value) {
-  begin_row(field.label, field.help);
+  begin_property(field.label, field.help);
   const auto typed = number_field(ui, field.label, {static_cast<double>(value)}, kWhole);
   tooltip(field.help);
   if (!typed) return;
@@ -69,20 +60,19 @@ void draw_field(WindowUi& ui, GenerateState& generate, const FieldSpec& field, I
 }
 
 void draw_field(WindowUi& ui, GenerateState& /*generate*/, const FieldSpec& field, bool& value) {
-  ImGui::TableNextRow();
-  ImGui::TableNextColumn();
-  ImGui::TableNextColumn();
-  checkbox(ui, field.label, &value);
+  begin_property(field.label, field.help);
+  if (const auto made = switch_field(ui, field.label, value)) value = *made;
   tooltip(field.help);
 }
 
 template <class Choice>
 requires std::is_enum_v<Choice>
 void draw_field(WindowUi& ui, GenerateState& /*generate*/, const FieldSpec& field, Choice& value) {
-  begin_row(field.label, field.help);
+  begin_property(field.label, field.help);
   ImGui::PushID(field.label);
+  Flow flow(2);
   for (const Word<Choice>& word : words_of(value)) {
-    if (&word != words_of(value).data()) ImGui::SameLine(0, 2);
+    flow.next(ImGui::CalcTextSize(word.text.data()).x + 2 * ImGui::GetStyle().FramePadding.x);
     if (small_choice(ui, word.text.data(), value == word.value)) value = word.value;
   }
   ImGui::PopID();
@@ -94,22 +84,22 @@ void draw_field(WindowUi& /*ui*/, GenerateState& /*generate*/, const FieldSpec& 
 
 void draw_region(WindowUi& ui, const DocumentView& document) {
   const bool painted = !document.editing.project->layout.sampling.region->empty();
-  begin_row("Over", "The painted region, or the whole skin where nothing is painted");
+  begin_property("Over", "The painted region, or the whole skin where nothing is painted");
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(painted ? "the painted region" : "the whole skin");
-  begin_row("", "");
+  begin_property("", "");
   if (button(ui, "Paint...")) ui.post(ToggleTool{Tool::brush});
   tooltip("Take the brush (Q), and paint where taxels shall be");
 }
 
 void draw_file(WindowUi& ui, FileDialog& dialog, std::string& path, const char* hint) {
-  begin_row("File", "Type a path, choose one, or drop the file on the window");
+  begin_property("File", "Type a path, choose one, or drop the file on the window");
   ImGui::SetNextItemWidth(-1);
   const bool entered = ImGui::InputTextWithHint("##file", hint, &path, ImGuiInputTextFlags_EnterReturnsTrue);
   ui.widgets.note_item("File");
   if (!path.empty()) tooltip(path);
   if (entered && !path.empty()) ui.post(ReadPoints{path});
-  begin_row("", "");
+  begin_property("", "");
   if (button(ui, "Browse...")) {
     begin_dialog(dialog, FileTask::read_points);
     ui.post(ListFolder{dialog.folder});
@@ -140,7 +130,10 @@ void draw_presets(WindowUi& ui, const GenerateState& generate, std::string& chos
 void draw_pattern_fields(WindowUi& ui, const DocumentView& document, GenerateState& generate, FileDialog& dialog) {
   Pattern& pattern = generate.pattern;
   if (auto* preset = std::get_if<patterns::Preset>(&pattern.shape)) draw_presets(ui, generate, preset->name);
-  if (!begin_properties("pattern")) return;
+  constexpr float kNames = 0.57f;  // share of the names, so that "Column pitch (mm)" has one line
+  if (!ImGui::BeginTable("pattern", 2, ImGuiTableFlags_SizingStretchProp)) return;
+  ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch, kNames);
+  ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch, 1 - kNames);
   if (has_region(pattern)) draw_region(ui, document);
   if (pattern.is<patterns::Table>()) draw_file(ui, dialog, generate.table_path, "points.csv");
   if (pattern.is<patterns::Image>()) draw_file(ui, dialog, generate.image_path, "dots.png");

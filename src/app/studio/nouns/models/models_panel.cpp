@@ -54,7 +54,7 @@ constexpr float kModelsLeastWidth = 75;  // smallest width for table and curves 
 constexpr float kModelsLeastHeight = 8;  // smallest height of each, in heights of text; below it the panel scrolls
 constexpr std::array kColors{0, 5, 2, 3, 1, 6};  // numbers of taxel_color, by model
 constexpr std::array kNames{"Reading", "Star field", "Weighted sum", "Exact", "<tactile>", "<touch>"};
-constexpr std::array kWidths{1.35f, 1.35f, 1.15f, 0.8f, 0.85f, 0.8f};  // relative widths of the columns
+constexpr std::array kWidths{1.35f, 1.35f, 1.15f, 0.8f, 0.95f, 0.85f};  // relative widths of the columns
 constexpr std::array kTips{
     "The layout as it is",
     "The same layout with a star field: tets from the centroid",
@@ -144,7 +144,9 @@ void draw_step_table(WindowUi& ui, Selection& selection, const ComparedSteps& co
   ImGui::TextDisabled("Id");
   for (const ReadingModel model : kReadingModels) {
     ImGui::TableNextColumn();
+    ImGui::PushTextWrapPos(0);
     ImGui::TextColored(color_of(model, ui.dark), "%s", kNames[number(model)]);
+    ImGui::PopTextWrapPos();
     tooltip(kTips[number(model)]);
     ImGui::TextDisabled("%s", shown_unit_of(model, layout.readout.aggregate).text);
   }
@@ -191,7 +193,9 @@ void draw_model_rows(WindowUi& ui, const ComparedSteps& compared, const Compared
                                  Head{"Corr.", "Correlation with the exact integral"},
                                  Head{"RMS", "Difference to the exact integral after the best gain, in % of its peak"},
                                  Head{"Step", "Largest change between neighbours of the curve, in % of its peak"}};
-  ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
+  // A row of heads would not count for the widths of the columns.
+  ImGui::TableNextRow();
+  ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg0, ImGui::GetColorU32(ImGuiCol_TableHeaderBg));
   for (const Head& head : kHeads) {
     ImGui::TableNextColumn();
     ImGui::TextDisabled("%s", head.name);
@@ -334,7 +338,9 @@ void draw_comparison(WindowUi& ui, Selection& selection, const RunView& run, Mod
   const bool beside = room.x > kModelsLeastWidth * ImGui::GetFontSize();
   const float least = kModelsLeastHeight * ImGui::GetFontSize(),
               height = std::max(least, beside ? room.y : 0.5f * room.y);
+  if (!beside) ImGui::PushFont(nullptr, kTextHeight * kSmallText);
   draw_step_table(ui, selection, compared, step, taxel, {beside ? 0.54f * room.x : room.x, height});
+  if (!beside) ImGui::PopFont();
   if (taxel < 0) return;
   update_curves(models, compared, taxel, run.by_travel());
   if (beside) ImGui::SameLine();

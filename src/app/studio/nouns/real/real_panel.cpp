@@ -305,8 +305,11 @@ void draw_columns(WindowUi& ui, RealState& real, const std::vector<Taxel>& taxel
     draw_meaning(ui, real, c, taxels);
     ImGui::TableNextColumn();
     std::string first;
-    for (const std::vector<std::string>& row : look.rows)
-      if (c < row.size()) first += (first.empty() ? "" : "   ") + row[c];
+    for (const std::vector<std::string>& row : look.rows) {
+      const std::string longer = c < row.size() ? first + (first.empty() ? "" : "   ") + row[c] : first;
+      const bool fits = ImGui::CalcTextSize(longer.c_str()).x <= ImGui::GetContentRegionAvail().x;
+      if (fits || first.empty()) first = longer;
+    }
     ImGui::TextDisabled("%s", first.c_str());
   }
   ImGui::EndTable();
@@ -320,7 +323,9 @@ void draw_real_dialog(WindowUi& ui, const Viewer& viewer, const Shown& shown, Re
   const float line = ImGui::GetFontSize();
   place_dialog(44, 40);
   if (!ImGui::BeginPopupModal(kTitle, nullptr, ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoDocking)) return;
+  ImGui::PushTextWrapPos();
   ImGui::TextDisabled("%s", real.file.c_str());
+  ImGui::PopTextWrapPos();
   if (begin_properties("format")) {
     draw_format(ui, real);
     draw_values(ui, real);

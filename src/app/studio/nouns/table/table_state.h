@@ -47,6 +47,7 @@ struct TableState {
   std::optional<TaxelKey> followed;    ///< selected taxel that the table of several sensors has scrolled to
   std::optional<TableCell> cell;       ///< cell with the text field, if any
   std::optional<TableCell> left;       ///< cell that the user left in this frame, if any
+  float name_width = 0;                ///< width of the column of names in LAYOUT that was fitted last [pixels]
 };
 
 /// The table of all taxels of the displayed layout, with their readings.

@@ -1,10 +1,14 @@
 // The table of all taxels of the displayed layout, with their readings.
 #include <fmt/format.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 #include <misc/cpp/imgui_stdlib.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <numeric>
+#include <utility>
 
 #include "app/studio/frame/app.h"
 #include "app/studio/frame/feature.h"
@@ -26,6 +30,10 @@
 namespace taxel::ui {
 
 namespace {
+
+bool has_names(const Layout& layout) {
+  return std::ranges::any_of(layout.taxels, [](const Taxel& taxel) { return !taxel.name.empty(); });
+}
 
 /// Returns the largest reading of a sensor in the displayed step.
 double largest_now(const SensorShown& sensor) {
@@ -134,15 +142,13 @@ void setup_sensor_columns(const std::vector<SensorShown>& sensors, const ValueCo
                               Column{TableColumn::reading, reading_title(sensors), 0.20f},
                               Column{TableColumn::shear, kShearTitle, 0.26f, values.shear},
                               Column{TableColumn::slip, kSlipTitle, 0.29f, values.slip}};
-  const bool has_names = std::any_of(sensors.begin(), sensors.end(), [](const SensorShown& sensor) {
-    return std::any_of(sensor.taxels().begin(), sensor.taxels().end(),
-                       [](const Taxel& taxel) { return !taxel.name.empty(); });
-  });
+  const bool are_named =
+      std::ranges::any_of(sensors, [](const SensorShown& sensor) { return has_names(sensor.model->layout); });
   ImGui::TableSetupScrollFreeze(0, 1);
   for (const Column& each : columns) {
     if (!each.has_values) continue;
     const bool left_out =
-        (narrow && each.column == TableColumn::samples) || (!has_names && each.column == TableColumn::name);
+        (narrow && each.column == TableColumn::samples) || (!are_named && each.column == TableColumn::name);
     const auto flags =
         ImGuiTableColumnFlags_WidthStretch | (left_out ? ImGuiTableColumnFlags_Disabled : ImGuiTableColumnFlags_None);
     ImGui::TableSetupColumn(each.title, flags, each.width, static_cast<ImGuiID>(each.column));
@@ -316,9 +322,10 @@ void draw_row(WindowUi& ui, Selection& selection, TableState& table_state, const
       if (column.column == TableColumn::name && is_hidden(table, taxel.id)) tooltip("Hidden: Alt+H shows all");
     }
   } else {
-    ImGui::TableNextColumn();
-    ImGui::TextUnformatted(taxel.name.c_str());
-    if (!taxel.name.empty()) tooltip(taxel.name);
+    if (ImGui::TableNextColumn()) {
+      ImGui::TextUnformatted(taxel.name.c_str());
+      if (!taxel.name.empty()) tooltip(taxel.name);
+    }
     if (ImGui::TableNextColumn()) draw_text(grouped(samples), true, dim);
     const auto i = static_cast<std::size_t>(std::max(0, table.in_model[static_cast<std::size_t>(index)]));
     draw_values(ui, table.sensor, i, shown_unit(table.model.layout.readout.aggregate), table.values);
@@ -326,20 +333,41 @@ void draw_row(WindowUi& ui, Selection& selection, TableState& table_state, const
   if (is_hidden(table, taxel.id)) ImGui::PopStyleVar();
 }
 
-void setup_columns(const Viewer& viewer, const Table& table, bool narrow) {
+/// Sets up the editable columns, which scroll sideways. The names have the room that is left by the columns that fit
+/// into the panel as a whole, so that the edge of the panel cuts no column before the user scrolls.
+void setup_layout_columns(TableState& state, const Layout& layout) {
+  constexpr std::size_t kName = 1;       // index of the column
+  constexpr float kWithoutNames = 3.2f;  // width of the column if no taxel has a name, in heights of text
+  const float em = ImGui::GetFontSize();
+  ImGuiTable& made = *ImGui::GetCurrentTable();
+  const float gap = made.CellSpacingX1 + made.CellSpacingX2 + 2 * made.CellPaddingX;
+  const std::span<const CellColumn> columns = layout_columns();
+  std::vector<float> widths;
+  for (const CellColumn& column : columns) widths.push_back(column.width * em);
+  if (!has_names(layout)) widths[kName] = kWithoutNames * em;
+  float room = made.InnerWindow->InnerRect.GetWidth() - 2 * made.OuterPaddingX;
+  for (std::size_t i = 0; i < widths.size() && widths[i] + gap <= room; ++i) room -= widths[i] + gap;
+  const float whole = std::accumulate(widths.begin(), widths.end(), gap * static_cast<float>(widths.size()));
+  if (whole > made.InnerWindow->InnerRect.GetWidth()) widths[kName] += std::max(0.0f, room);
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    ImGui::TableSetupColumn(columns[i].title, ImGuiTableColumnFlags_WidthFixed, widths[i],
+                            static_cast<ImGuiID>(columns[i].column));
+  // A width that the user has dragged stays until the panel changes.
+  const float before = std::exchange(state.name_width, widths[kName]);
+  if (std::abs(before - widths[kName]) >= 1) made.Columns[static_cast<int>(kName)].WidthRequest = widths[kName];
+}
+
+void setup_columns(const Viewer& viewer, TableState& state, const Table& table, bool narrow) {
   ImGui::TableSetupScrollFreeze(table.edited ? 1 : 0, 1);
   const auto add = [](const CellColumn& column, ImGuiTableColumnFlags flags, float width) {
     ImGui::TableSetupColumn(column.title, flags, width, static_cast<ImGuiID>(column.column));
   };
-  if (table.edited) {
-    const float em = ImGui::GetFontSize();
-    for (const CellColumn& column : layout_columns()) add(column, ImGuiTableColumnFlags_WidthFixed, column.width * em);
-    return;
-  }
+  if (table.edited) return setup_layout_columns(state, table.layout);
   constexpr auto kStretch = ImGuiTableColumnFlags_WidthStretch;
   const char* unit = viewer.mode == Mode::layout ? "" : shown_unit(table.layout.readout.aggregate).text;
   add({TableColumn::id, "Id", "", 0}, kStretch, 0.19f);
-  add({TableColumn::name, "Name", "", 0}, kStretch, 0.38f);
+  add({TableColumn::name, "Name", "", 0}, kStretch | (has_names(table.layout) ? 0 : ImGuiTableColumnFlags_Disabled),
+      0.38f);
   const bool has_room = !narrow || table.values.count() == 0;
   add({TableColumn::samples, "Samples", "", 0}, kStretch | (has_room ? 0 : ImGuiTableColumnFlags_Disabled), 0.23f);
   add({TableColumn::reading, unit, "", 0}, kStretch, 0.20f);
@@ -356,7 +384,7 @@ void draw_table(WindowUi& ui, Viewer& viewer, TableState& table_state, const Lay
   const int columns = table.edited ? static_cast<int>(layout_columns().size()) : 4 + table.values.count();
   const bool narrow = ImGui::GetContentRegionAvail().x < kNarrowTable * ImGui::GetFontSize();
   if (!ImGui::BeginTable(table.edited ? "taxels" : "readings", columns, flags)) return;
-  setup_columns(viewer, table, narrow);
+  setup_columns(viewer, table_state, table, narrow);
   draw_headers(ui, table_state, [&](int column) {
     return table.edited ? layout_columns()[static_cast<std::size_t>(column)].tip
                         : value_tip(ImGui::TableGetColumnName(column));

@@ -11,7 +11,6 @@
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_state.h"
 #include "app/studio/frame/window_ui.h"
-#include "ui/theme.h"
 
 namespace taxel::ui {
 
@@ -231,13 +230,11 @@ void draw_dock_space(App& app) {
   ImGui::SetNextWindowBgAlpha(0);                                      // the window is cleared to this colour already
   ImVec2 padding = ImGui::GetStyle().FramePadding, spacing = ImGui::GetStyle().ItemInnerSpacing;
   const bool is_compact_column = has_narrow_tabs(app) && app.viewer->mode != Mode::analyse;
-  if (has_narrow_tabs(app)) padding.x *= is_compact_column ? 0.3f : 0.5f, spacing.x = is_compact_column ? 1 : 2;
-  ImGui::PushFont(nullptr, is_compact_column ? kTextHeight * kSmallText : 0);
+  if (has_narrow_tabs(app)) padding.x *= is_compact_column ? 0.3f : 0.5f, spacing.x = is_compact_column ? 0 : 2;
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, padding);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemInnerSpacing, spacing);
   ImGui::DockSpaceOverViewport(space, viewport);
   ImGui::PopStyleVar(2);
-  ImGui::PopFont();
 }
 
 bool has_narrow_tabs(const App& app) {
