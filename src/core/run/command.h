@@ -49,6 +49,13 @@ struct LoadSceneCommand {
 struct SaveSceneCommand {
   std::string file;
 };
+/// Lets the sensors that a scene's file declares on `geoms` read a layout file, which exists: the names are written
+/// into `scene` or the files that it includes. The reply is SceneSaved.
+struct NameLayoutCommand {
+  std::string scene;
+  std::vector<std::string> geoms;
+  std::string layout;
+};
 /// Pauses and displays a recorded step, or the nearest recorded one. When the simulation continues, it continues from
 /// the displayed step and discards all later steps.
 struct ScrubCommand {
@@ -97,10 +104,10 @@ struct ExportHistoryCommand {
 };
 struct QuitCommand {};
 
-using SimCommand =
-    std::variant<PlayCommand, PauseCommand, StepCommand, ResetCommand, SpeedCommand, LoadScenarioCommand,
-                 ReplaceModelCommand, LoadSceneCommand, SaveSceneCommand, ScrubCommand, FollowStepBeforeCommand,
-                 RecallCommand, BreakpointsCommand, StepHistoryLimitsCommand, EditSceneCommand, LoadKeyframeCommand,
-                 RecordCommand, EndRecordingCommand, WriteRecordingCommand, ExportHistoryCommand, QuitCommand>;
+using SimCommand = std::variant<PlayCommand, PauseCommand, StepCommand, ResetCommand, SpeedCommand, LoadScenarioCommand,
+                                ReplaceModelCommand, LoadSceneCommand, SaveSceneCommand, NameLayoutCommand,
+                                ScrubCommand, FollowStepBeforeCommand, RecallCommand, BreakpointsCommand,
+                                StepHistoryLimitsCommand, EditSceneCommand, LoadKeyframeCommand, RecordCommand,
+                                EndRecordingCommand, WriteRecordingCommand, ExportHistoryCommand, QuitCommand>;
 
 }  // namespace taxel

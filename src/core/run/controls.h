@@ -57,7 +57,7 @@ struct SceneControls {
   std::string integrator;  ///< MJCF keyword
 };
 
-/// A layout on a geom of a scene that does not declare the layout.
+/// A layout on a geom of a scene whose file does not declare that layout.
 struct SceneAttachment {
   std::string geom;            ///< name (SceneNames::find); empty for the geom that the layout names
   std::string layout;          ///< layout file
@@ -68,6 +68,8 @@ struct SceneAttachment {
   /// Compiled layout that is used instead of the content of `layout`, or null. Its mesh is in the frame of the geom's
   /// mesh file.
   SensorModelPtr model = nullptr;
+  /// The scene's file declares a sensor on `geom`, whose layout was edited: `model` is used instead of that layout.
+  bool is_declared = false;
   bool operator==(const SceneAttachment&) const = default;
 };
 

@@ -24,7 +24,7 @@ struct Refused {
 struct SceneLoaded {};
 /// The model of at least one sensor was replaced.
 struct ModelReplaced {};
-/// The result of a SaveSceneCommand.
+/// The result of a SaveSceneCommand or a NameLayoutCommand.
 struct SceneSaved {
   std::string file, error;  ///< the error is empty if the file was written
   std::string note = {};    ///< a remark for the user; may be empty

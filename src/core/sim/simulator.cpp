@@ -85,10 +85,11 @@ void Simulator::Impl::make_data() {
   bodies.clear();
   for (const int i : sensor_instances(m())) {
     bodies.push_back({i, 0});
-    const auto handed = compiled.handed.find(instance_name(m(), i));
-    if (handed == compiled.handed.end()) continue;
+    const std::string name = instance_name(m(), i);
+    const auto handed = compiled.handed.find(name), edited = compiled.edited.find(name);
+    if (handed == compiled.handed.end() && edited == compiled.edited.end()) continue;
     try {
-      find_sensor(*data, i)->hand_over(m(), handed->second);
+      find_sensor(*data, i)->hand_over(m(), handed != compiled.handed.end() ? handed->second : edited->second);
     } catch (const Error& error) {
       throw Error(title, error.where(), error.message());
     }
@@ -293,7 +294,7 @@ std::unique_ptr<Simulator> Simulator::load(const std::filesystem::path& scene,
   Impl& s = *simulator->impl_;
   s.title = scene.string();
   s.compiled = load_scene(scene, attachments);
-  s.origin.attachments = attachments;
+  s.attachments = attachments;
   if (!geoms.empty()) change_geoms(s.compiled, geoms, s.title);
   s.make_data();
   if (!readout.is_empty()) s.read_by(readout);
@@ -377,11 +378,8 @@ void Simulator::replace_model(const SensorModelPtr& replaced, const SensorModelP
     HydroInstance& sensor = *s.sensor(i);
     if (sensor.model() != replaced) continue;
     any = true;
-    const auto handed = s.compiled.handed.find(sensor.config().name);
-    if (handed == s.compiled.handed.end())
-      s.origin.has_edited_sensors = true;
-    else
-      handed->second = model;
+    const std::string& name = sensor.config().name;
+    (s.compiled.handed.contains(name) ? s.compiled.handed : s.compiled.edited)[name] = model;
     if (sensor.model()->body == model->body) {
       sensor.replace_samples(s.m(), s.d(), model);
     } else {

@@ -101,8 +101,9 @@ class Simulator {
 
 /// Writes scene.xml with its mesh and layout files into `folder`. Throws the errors of files() and write_scene().
 void export_scene(const Simulator& simulator, const std::filesystem::path& folder);
-/// Returns the file of the scene as it is on disk with additions for the attached layouts, to be written as `output`
-/// (scene/scene_patch.h). Throws Error with the reason if that is not possible.
+/// Returns the file of the scene as it is on disk with additions for the attached layouts, and the files of edited
+/// layouts in place of those that the scene declares, to be written as `output` (scene/scene_patch.h). Throws Error
+/// with the reason if that is not possible.
 SceneFiles patched_files(const Simulator& simulator, const std::filesystem::path& output);
 /// Writes FILE.xml as patched_files() returns it, with the layouts next to it. If the scene cannot be patched,
 /// writes all of it again, and the files that it needs into a folder FILE_files, and returns a note with the reason;

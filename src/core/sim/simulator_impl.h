@@ -12,16 +12,10 @@
 
 namespace taxel {
 
-/// The origin of a scene from a file, from which save_scene() makes a patch of that file.
-struct SceneOrigin {
-  std::vector<SceneAttachment> attachments;
-  bool has_edited_sensors = false;  ///< a sensor that the file declares has another layout now
-};
-
 struct Simulator::Impl {
   std::string title;  // name of the scene in messages: its file
   CompiledScene compiled;
-  SceneOrigin origin;  // valid without a scenario
+  std::vector<SceneAttachment> attachments;  // those that the scene was loaded with
   DataHandle data;
   std::optional<ScenarioScene> scenario;
   std::vector<BodyId> bodies;                             // of scene->sensors: sensors, then soft geoms without taxels

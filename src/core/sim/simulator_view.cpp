@@ -197,9 +197,7 @@ void export_scene(const Simulator& simulator, const std::filesystem::path& folde
 SceneFiles patched_files(const Simulator& simulator, const std::filesystem::path& output) {
   const Simulator::Impl& s = *simulator.impl_;
   if (s.scenario) throw Error(s.title, "is a scenario, which has no file");
-  if (s.origin.has_edited_sensors)
-    throw Error(s.title, "the layout of a sensor that the file declares was edited: save the layout first");
-  return patched_scene(s.title, s.origin.attachments, s.compiled, output).scene;
+  return patched_scene(s.title, s.attachments, s.compiled, output).scene;
 }
 
 std::string save_scene(const Simulator& simulator, const std::filesystem::path& file) {

@@ -1,8 +1,11 @@
 // Layouts on the geoms of a scene in the window: made, edited while the scene runs, attached to sister geoms and saved.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <sstream>
 
+#include "fixtures/run_program.h"
 #include "script_lines.h"
 
 namespace taxel::test {
@@ -313,6 +316,130 @@ TEST(SceneLayout, EditsADeclaredLayoutOnAllItsGeoms) {
   EXPECT_EQ(edited["simulation"]["step"], before["simulation"]["step"]) << messages_of(edited);
   EXPECT_TRUE(edited["history"]["dirty"]);
 }
+
+/// Writes the hand with sensors on two fingers, declared with `layout` as the value of their keys.
+void write_declared(const fs::path& folder, const std::string& layout) {
+  write_hand(folder);
+  Json file = Json::parse(file_text(kLayoutFile));
+  file["mesh"]["file"] = "fingertip.obj";
+  write_text(folder / "tip.taxels.json", file.dump(1));
+  std::string hand = kHand, instances, sensors;
+  for (const char* finger : {"index", "middle"}) {
+    const std::string body = std::string("<body name='") + finger + "'";
+    const std::size_t geom = hand.find("<geom ", hand.find(body));
+    hand.insert(geom + 6, std::string("name='") + finger + "' contype='0' conaffinity='0' ");
+    instances += std::string("<instance name='") + finger + "'><config key='layout' value='" + layout +
+                 "'/><config key='geom' value='" + finger + "'/><config key='others' value='floor'/></instance>\n";
+    sensors += std::string("<plugin plugin='taxel.sensor' instance='") + finger + "'/>";
+  }
+  hand.insert(hand.find("<asset>"), "<!-- declared -->\n<extension><plugin plugin='taxel.sensor'>\n" + instances +
+                                        "</plugin></extension>\n<sensor>" + sensors + "</sensor>\n");
+  write_text(folder / "hand.xml", hand);
+}
+
+/// Lines that remove a taxel of the layout of the index finger, and let its hand feel without it for a time.
+Lines feel_without_a_taxel() {
+  return {kIdle,
+          key("Space"),
+          kIdle,
+          R"({"event": "double_click", "button": "left", "at": {"widget": "Outliner/index"}})",
+          kIdle,
+          kIdle,
+          dump("layout.json"),
+          click(taxel(3)),
+          kIdle,
+          key("Delete"),
+          kIdle,
+          kIdle,
+          key("2", kCtrl),
+          kIdle,
+          kIdle,
+          key("Backspace"),
+          kIdle,
+          key("Space"),
+          wait_time(0.05),
+          key("Space"),
+          kIdle,
+          dump("felt.json")};
+}
+
+#ifdef TAXEL_PROGRAM
+/// Expects that `taxel run` reads a scene as the window does in felt.json.
+void expect_run_as_felt(const StudioProgram& studio, const std::string& scene) {
+  const Json felt = studio.state("felt.json")["simulation"];
+  constexpr double kStep = 0.001;  // of the scene [s]
+  const std::string seconds = std::to_string(kStep * felt["step"].get<double>());
+  const Outcome outcome =
+      run_program(TAXEL_PROGRAM, {"run", scene, "--seconds", seconds, "--out", scene + ".run"}, studio.folder());
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  std::istringstream csv(file_text(studio.folder() / (scene + ".run/readings.csv")));
+  std::string heads, line, last;
+  std::getline(csv, heads);
+  while (std::getline(csv, line)) last = line;
+  std::istringstream names(heads), values(last);
+  std::string name, value;
+  std::vector<double> readings, expected;
+  while (std::getline(names, name, ',') && std::getline(values, value, ','))
+    if (name.find("/taxel_") != std::string::npos) readings.push_back(std::stod(value));
+  ASSERT_EQ(felt["sensors"].size(), 2U);
+  for (const Json& sensor : felt["sensors"])
+    for (const Json& reading : sensor["readings"]) expected.push_back(reading.get<double>());
+  EXPECT_EQ(expected.size(), 22U) << "both fingers have a taxel less";
+  EXPECT_GT(*std::max_element(expected.begin(), expected.end()), 0);
+  EXPECT_EQ(readings, expected);
+}
+
+TEST(SceneLayout, SavesAnEditedDeclaredLayoutNextToThePatchedScene) {
+  const StudioProgram studio;
+  write_declared(studio.folder(), "tip.taxels.json");
+  const std::string hand = file_text(studio.folder() / "hand.xml"),
+                    tip = file_text(studio.folder() / "tip.taxels.json");
+  studio.play(joined({feel_without_a_taxel(),
+                      {key("s", kCtrlShift), kIdle, type((studio.folder() / "felt.xml").string()), kIdle, key("Enter"),
+                       kIdle, kIdle, dump("saved.json")}}),
+              tall_window(studio, "hand.xml"));
+  EXPECT_EQ(studio.state("layout.json")["scene_layout"]["geoms"], Json({"index", "middle"}));
+  EXPECT_NE(messages_of(studio.state("layout.json")).find("index, middle have this layout, and change with it."),
+            std::string::npos);
+  const Json saved = studio.state("saved.json");
+  EXPECT_TRUE(saved["history"]["dirty"]) << "the open scene keeps its layout";
+  EXPECT_NE(messages_of(saved).find("felt.xml has the edited layout. The open scene has its layout of before"),
+            std::string::npos)
+      << messages_of(saved);
+  EXPECT_EQ(file_text(studio.folder() / "hand.xml"), hand);
+  EXPECT_EQ(file_text(studio.folder() / "tip.taxels.json"), tip);
+  std::string patched = hand;
+  for (std::size_t at = 0; (at = patched.find("tip.taxels.json", at)) != std::string::npos; at += 10)
+    patched.insert(at, "felt_");
+  EXPECT_EQ(file_text(studio.folder() / "felt.xml"), patched);
+  EXPECT_EQ(Json::parse(file_text(studio.folder() / "felt_tip.taxels.json"))["taxels"].size(), 11U);
+  expect_run_as_felt(studio, "felt.xml");
+  studio.play(joined({feel_without_a_taxel(), {key("s", kCtrl), kIdle, kIdle, dump("in_place.json")}}),
+              tall_window(studio, "hand.xml"));
+  EXPECT_FALSE(studio.state("in_place.json")["history"]["dirty"]) << messages_of(studio.state("in_place.json"));
+  EXPECT_EQ(file_text(studio.folder() / "hand.xml"), hand);
+  EXPECT_EQ(Json::parse(file_text(studio.folder() / "tip.taxels.json"))["taxels"].size(), 11U);
+  expect_run_as_felt(studio, "hand.xml");
+}
+
+TEST(SceneLayout, SavesADeclaredLayoutThatIsTextAsAFile) {
+  const StudioProgram studio;
+  Json layout = Json::parse(file_text(kLayoutFile));
+  layout["mesh"]["file"] = "fingertip.obj";
+  write_declared(studio.folder(), layout.dump());
+  std::string hand = file_text(studio.folder() / "hand.xml");
+  studio.play(joined({feel_without_a_taxel(), {key("s", kCtrl), kIdle, kIdle, kIdle, dump("saved.json")}}),
+              tall_window(studio, "hand.xml"));
+  const Json saved = studio.state("saved.json");
+  EXPECT_FALSE(saved["history"]["dirty"]) << messages_of(saved);
+  const std::string file = fs::path(studio.state("felt.json")["scene_layout"]["file"].get<std::string>()).filename();
+  ASSERT_TRUE(fs::exists(studio.folder() / file)) << messages_of(saved);
+  for (std::size_t at = 0; (at = hand.find(layout.dump())) != std::string::npos;)
+    hand.replace(at, layout.dump().size(), file);
+  EXPECT_EQ(file_text(studio.folder() / "hand.xml"), hand);
+  expect_run_as_felt(studio, "hand.xml");
+}
+#endif
 
 }  // namespace
 }  // namespace taxel::test

@@ -98,6 +98,109 @@ TEST_F(ScenePatch, SavesTheEditedLayoutOfARunningScene) {
   EXPECT_EQ(run(*saved), run(*running));
 }
 
+/// A scene with two balls whose file declares their sensors: `layout` is the value of the key of both.
+std::string two_declared_balls(const std::string& layout) {
+  return R"(  <!-- two balls -->
+  <extension>
+    <plugin plugin='taxel.sensor'>
+      <instance name="left"><config key="layout"   value=")" +
+         layout + R"("/> <!-- kept --><config key="geom" value="left"/></instance>
+      <instance name="right"><config key="layout" value=")" +
+         layout + R"("/><config key="geom" value="right"/></instance>
+    </plugin>
+  </extension>
+  <asset><mesh name="ball" file="ball.obj"/></asset>
+  <worldbody>
+    <geom name="floor" type="plane" size="1 1 1" conaffinity="2"/>
+    <body name="l" pos="0 0 0.0195"><freejoint/><geom name="left" type="mesh" mesh="ball" contype="2" conaffinity="0"/></body>
+    <body name="r" pos="0.1 0 0.0195"><freejoint/><geom name="right" type="mesh" mesh="ball" contype="2" conaffinity="0"/></body>
+  </worldbody>
+  <contact><exclude body1="world" body2="l"/><exclude body1="world" body2="r"/></contact>
+  <sensor><plugin plugin="taxel.sensor" instance="left"/><plugin plugin="taxel.sensor" instance="right"/></sensor>
+)";
+}
+
+TEST_F(ScenePatch, WritesTheEditedLayoutOfDeclaredSensors) {
+  const fs::path scene = write(two_declared_balls("ball.taxels.json"));
+  const std::string text = read_file(scene), before = read_file(layout());
+  Layout edited = read_layout(layout());
+  edited.taxels[0].radius *= 0.8;
+  write_layout(s.folder / "same_size.taxels.json", edited);
+  edited.taxels.push_back(edited.taxels[0]);
+  edited.taxels[1].id = 1;
+  edited.taxels[1].center.x += 0.003;
+  write_layout(s.folder / "two.taxels.json", edited);
+  // With as many taxels the models of a running scene are replaced, otherwise it is loaded with other ones.
+  const SensorModelPtr same_size = load_sensor_model(s.folder / "same_size.taxels.json");
+  const SensorModelPtr two = load_sensor_model(s.folder / "two.taxels.json");
+  const auto running = Simulator::load(scene);
+  running->replace_model(running->scene()->sensors[0], same_size);
+  const auto declared = [&](const std::string& geom) {
+    SceneAttachment one{.geom = geom, .layout = layout(), .model = two};
+    one.is_declared = true;
+    return one;
+  };
+  const auto loaded = Simulator::load(scene, {declared("left"), declared("right")});
+  ASSERT_EQ(loaded->scene()->sensors[1]->taxel_count(), 2);
+  fs::create_directory(s.folder / "out");
+  const std::string key = R"(key="layout"   value="ball.taxels.json")";
+  for (const auto& [simulator, output] : {std::pair{running.get(), s.folder / "saved.xml"},
+                                          {loaded.get(), s.folder / "loaded.xml"},
+                                          {loaded.get(), s.folder / "out/loaded.xml"}}) {
+    SCOPED_TRACE(output);
+    simulator->reset();
+    EXPECT_EQ(save_scene(*simulator, output), "");
+    const auto saved = Simulator::load(output);
+    EXPECT_EQ(saved->scene()->sensors[0], saved->scene()->sensors[1]) << "one file for both sensors";
+    const std::vector<double> values = run(*saved);
+    EXPECT_GT(values.back(), 0);
+    EXPECT_EQ(values, run(*simulator));
+  }
+  std::string patched = text;  // all bytes but the two names stay
+  for (std::size_t at = 0; (at = patched.find("ball.taxels.json", at)) != std::string::npos; at += 10)
+    patched.insert(at, "saved_");
+  EXPECT_EQ(read_file(s.folder / "saved.xml"), patched);
+  EXPECT_EQ(read_file(scene), text);
+  EXPECT_EQ(read_file(layout()), before) << "the scene that was loaded reads as before";
+  // A layout that was saved in its own file needs no other name.
+  write_file_atomically(layout(), read_file(s.folder / "two.taxels.json"));
+  EXPECT_EQ(save_scene(*loaded, s.folder / "again.xml"), "");
+  EXPECT_EQ(read_file(s.folder / "again.xml"), text);
+}
+
+TEST_F(ScenePatch, TurnsALayoutThatIsTextIntoAFile) {
+  const auto as_text = [](const fs::path& file) {
+    std::string text = read_file(file);
+    for (std::size_t at = 0; (at = text.find('"', at)) != std::string::npos;) text.replace(at, 1, "&quot;");
+    return text;
+  };
+  Layout edited = read_layout(layout());
+  edited.taxels[0].radius *= 0.8;
+  write_layout(s.folder / "edited.taxels.json", edited);
+  write_file_atomically(s.folder / "left.xml",
+                        R"(<mujoco><config key="layout" value=")" + as_text(layout()) + "\"/></mujoco>");
+  std::string text = two_declared_balls("ball.taxels.json");
+  text.replace(text.find("<config key=\"layout\"   value=\"ball.taxels.json\"/>"), 49, "<include file=\"left.xml\"/>");
+  const fs::path scene = write(text);
+  const std::string before = read_file(scene);
+  const auto running = Simulator::load(scene);
+  running->replace_model(running->scene()->sensors[0], load_sensor_model(s.folder / "edited.taxels.json"));
+  running->reset();
+  const std::vector<double> expected = run(*running);
+  EXPECT_EQ(save_scene(*running, s.folder / "saved.xml"), "");
+  EXPECT_TRUE(fs::exists(s.folder / "left.taxels.json"));
+  EXPECT_EQ(run(*Simulator::load(s.folder / "saved.xml")), expected);
+  // The scene itself names the file afterwards; only the included file with the text changes.
+  const auto changed = with_layout_file(scene, {"left"}, s.folder / "edited.taxels.json");
+  ASSERT_EQ(changed.size(), 1U);
+  EXPECT_EQ(changed.begin()->first.filename(), "left.xml");
+  EXPECT_EQ(changed.begin()->second, R"(<mujoco><config key="layout" value="edited.taxels.json"/></mujoco>)");
+  write_file_atomically(changed.begin()->first, changed.begin()->second);
+  EXPECT_EQ(run(*Simulator::load(scene)), expected);
+  EXPECT_EQ(read_file(scene), before);
+  EXPECT_THROW(with_layout_file(scene, {"floor"}, s.folder / "edited.taxels.json"), Error);
+}
+
 TEST_F(ScenePatch, CopiesTheLayoutOfAnotherFolder) {
   fs::create_directory(s.folder / "layouts");
   fs::rename(layout(), s.folder / "layouts/ball.taxels.json");

@@ -72,6 +72,7 @@ struct SceneLayout {
   std::string file;                ///< absolute path of its file, which may not have been written yet
   std::vector<std::string> geoms;  ///< geoms that have the layout, or get it as soon as it has a taxel; at least one
   bool is_written = false;         ///< whether the file holds the layout, as it was read or saved last
+  bool is_text = false;            ///< whether the scene's file has the layout itself as text
 };
 
 struct DocumentView {
@@ -93,7 +94,7 @@ struct RunView {
   bool simulates_document = false;        ///< whether the running scene was built around DocumentView::model
   Scenario scenario;                      ///< scenario of the run
   bool runs_scenario = false;             ///< whether the running scene is the document's scenario
-  std::vector<SceneAttachment> attached;  ///< layouts on geoms of the scene that its file does not declare
+  std::vector<SceneAttachment> attached;  ///< layouts on geoms that the file does not declare, or edited ones
   bool playing = false;                   ///< whether the simulation runs, or recorded steps are played
   int replay = 0;                         ///< direction in which recorded steps are played, or 0
   std::optional<StepRange> loop;

@@ -200,10 +200,13 @@ void forget_unchanged_layouts(Host& host) {
   if (host.document.scene_layout && !host.edits().dirty()) leave_layout_of_scene(host.document);
   std::error_code ignored;
   const std::optional<ui::SceneLayout>& edited = host.document.scene_layout;
+  const auto is_edited_on = [&](const std::string& geom) {
+    return edited && std::find(edited->geoms.begin(), edited->geoms.end(), geom) != edited->geoms.end();
+  };
+  std::erase_if(host.run.scene.attached,
+                [&](const SceneAttachment& one) { return one.is_declared && !is_edited_on(one.geom); });
   for (SceneAttachment& one : host.run.scene.attached) {
-    const bool is_edited =
-        edited && std::find(edited->geoms.begin(), edited->geoms.end(), one.geom) != edited->geoms.end();
-    if (!is_edited && std::filesystem::exists(one.layout, ignored)) one.model = nullptr;
+    if (!is_edited_on(one.geom) && std::filesystem::exists(one.layout, ignored)) one.model = nullptr;
   }
 }
 
@@ -296,6 +299,15 @@ void report_saved_scene(Host& host, const SceneSaved& saved) {
   if (!saved.error.empty()) return host.report(Severity::error, saved.error);
   const std::string note = saved.note.empty() ? "" : " as " + saved.note;
   host.report(note.empty() ? Severity::note : Severity::warning, "Saved " + saved.file + note);
+  if (saved.file == host.document.file()) {  // its layout is a file now
+    host.files.watch.accept(saved.file);
+    return host.document.reload();
+  }
+  const std::optional<ui::SceneLayout>& edited = host.document.scene_layout;
+  if (edited && host.edits().dirty())
+    host.report(Severity::note, fmt::format("{} has the edited layout. The open scene has its layout of before until "
+                                            "Ctrl+S saves it.",
+                                            std::filesystem::path(saved.file).filename().string()));
 }
 
 void report_recording(Host& host, const RecordingWritten& written) {

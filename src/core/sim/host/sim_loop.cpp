@@ -6,9 +6,11 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/files.h"
 #include "core/run/controls.h"
 #include "core/run/step.h"
 #include "core/sim/host/scene_run.h"
+#include "core/sim/scene/scene_patch.h"
 
 namespace taxel {
 namespace {
@@ -256,6 +258,17 @@ void carry_out(SimLoop& loop, const SaveSceneCommand& command) {
   try {
     if (loop.simulator == nullptr) throw Error(command.file, "there is no scene to write");
     saved.note = save_scene(*loop.simulator, command.file);
+  } catch (const std::exception& e) {
+    saved.error = e.what();
+  }
+  loop.events.report(std::move(saved));
+}
+
+void carry_out(SimLoop& loop, const NameLayoutCommand& command) {
+  SceneSaved saved{command.scene, ""};
+  try {
+    for (const auto& [file, text] : with_layout_file(command.scene, command.geoms, command.layout))
+      write_file_atomically(file, text);
   } catch (const std::exception& e) {
     saved.error = e.what();
   }

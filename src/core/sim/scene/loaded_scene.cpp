@@ -17,6 +17,7 @@
 #include "core/sim/plugin/plugin_instances.h"
 #include "core/sim/scene/added_sensors.h"
 #include "core/sim/scene/current_mjcf.h"
+#include "core/sim/scene/declared_layouts.h"
 #include "core/sim/scene/mjcf_text.h"
 #include "core/sim/scene/old_fields.h"
 
@@ -297,6 +298,51 @@ void finish_added(CompiledScene& scene, const std::vector<AddedSensor>& added) {
   exclude_contacts(scene, pairs);
 }
 
+/// A user's scene: the file that MuJoCo opens, and the texts that it reads instead of files on disk.
+struct OpenedScene {
+  fs::path file;
+  std::vector<CurrentMjcf> texts;
+  std::unique_ptr<Vfs> vfs = std::make_unique<Vfs>();
+
+  void replace(std::map<fs::path, std::string> changed) {
+    for (CurrentMjcf& one : texts)
+      if (auto text = changed.extract(one.file)) one.text = std::move(text.mapped());
+    for (auto& [path, text] : changed) texts.push_back({path, std::move(text)});
+    vfs = std::make_unique<Vfs>();
+    for (const CurrentMjcf& one : texts) vfs->add(one.file.string(), one.text);
+  }
+};
+
+OpenedScene open_scene(const fs::path& file, std::vector<std::string>& notes) {
+  OpenedScene opened{file, {}};
+  if (is_urdf(file)) {
+    opened.texts.push_back(mjcf_of_urdf(file));
+    opened.file = opened.texts.front().file;
+  } else {
+    opened.texts = current_mjcf(file, notes);
+  }
+  opened.replace({});
+  return opened;
+}
+
+/// Lets the declared sensors whose layouts were edited take other models: reads the scene again with other texts.
+void replace_declared(CompiledScene& scene, const std::vector<SceneAttachment>& attachments, const SceneNames& names,
+                      OpenedScene& opened, const std::string& name) {
+  std::map<std::string, SensorModelPtr> models;
+  for (const SceneAttachment& one : attachments) {
+    if (!one.is_declared) continue;
+    if (models.empty()) compile(scene, opened.vfs->get(), name);
+    models[instance_name(*scene.model, declared_instance(*scene.model, one.geom, name))] = one.model;
+  }
+  if (models.empty()) return;
+  opened.replace(texts_for_models(MjcfSource(opened.file, opened.texts), models, name));
+  std::vector<std::string> notes = std::move(scene.notes);
+  scene = parsed(opened.file.string(), opened.vfs->get(), name);
+  scene.notes = std::move(notes);
+  scene.edited = std::move(models);
+  name_geoms(scene.spec.get(), names);
+}
+
 bool has_old_fields(mjSpec* spec) {
   for (mjsElement* e = mjs_firstElement(spec, mjOBJ_NUMERIC); e != nullptr; e = mjs_nextElement(spec, e))
     if (std::string(mjs_getString(mjs_getName(e))).starts_with("cs::")) return true;
@@ -321,25 +367,22 @@ CompiledScene load_scene(const fs::path& scene_file, const std::vector<SceneAtta
   if (!fs::exists(file, ignored)) throw Error(name, "no such file");
   if (!fs::is_regular_file(file, ignored)) throw Error(name, "is not a regular file");
   std::vector<std::string> notes;
-  Vfs vfs;
   expect_regular_files(file);
   const bool has_copies = has_replicates(file);
-  if (is_urdf(file)) {
-    const CurrentMjcf converted = mjcf_of_urdf(file);
-    vfs.add(converted.file.string(), converted.text);
-    file = converted.file;
-  } else {
-    for (const CurrentMjcf& current : current_mjcf(file, notes)) vfs.add(current.file.string(), current.text);
-  }
-  CompiledScene scene = parsed(file.string(), vfs.get(), name);
+  OpenedScene opened = open_scene(file, notes);
+  file = opened.file;
+  CompiledScene scene = parsed(file.string(), opened.vfs->get(), name);
   scene.notes = std::move(notes);
   SceneNames names = read_scene_names(scene.spec.get());
   std::vector<SceneAttachment> on_geoms = attachments;
+  std::erase_if(on_geoms, [](const SceneAttachment& one) { return one.is_declared; });
   for (SceneAttachment& one : on_geoms)
     if (!one.body.empty()) one.geom = names.labels[static_cast<std::size_t>(names.mesh_geom_of_body(one.body, name))];
   std::vector<AddedSensor> added = attached_sensors(name, on_geoms, names);
   name_geoms(scene.spec.get(), names);
   const bool old = has_old_fields(scene.spec.get());
+  replace_declared(scene, attachments, names, opened, name);
+  Vfs& vfs = *opened.vfs;
   if (added.empty() || old || any_foreign(added)) compile(scene, vfs.get(), name);
   compile_foreign(added, scene);
   const std::string contact = old ? add_old_sensors(*scene.model, added, scene) : "";
@@ -352,8 +395,10 @@ CompiledScene load_scene(const fs::path& scene_file, const std::vector<SceneAtta
     const fs::path overlay = file.parent_path() / (file.stem().string() + word + ".xml");
     vfs.add(overlay.string(), overlay_xml(file, added, contact, has_copies));
     notes = std::move(scene.notes);
+    std::map<std::string, SensorModelPtr> edited = std::move(scene.edited);
     scene = parsed(overlay.string(), vfs.get(), name);
     scene.notes = std::move(notes);
+    scene.edited = std::move(edited);
     name_geoms(scene.spec.get(), names);
     remove_contacts(scene.spec.get(), sisters);
     compile(scene, vfs.get(), name);

@@ -35,6 +35,7 @@ struct CompiledScene {
   SpecHandle spec;  ///< editable source of `model`
   ModelHandle model;
   std::map<std::string, SensorModelPtr> handed;  ///< sensors to hand over, by name of the plugin instance
+  std::map<std::string, SensorModelPtr> edited;  ///< models in place of layouts that the file declares
   SceneNames names;                              ///< names of the geoms; empty for a scene in memory
   std::vector<std::string> notes;                ///< notes on changes of the scene and on parts that are not supported
 };
@@ -46,8 +47,9 @@ CompiledScene compile_scene(const std::string& xml, const std::vector<SceneFile>
 /// contact between the geom's body and a touched body is excluded if that removes no other contact. A box that a `cs::`
 /// field makes soft gets a `taxel.sensor` if it has none; other soft geoms get a `taxel.contact` (old_fields.h).
 /// Attributes that MuJoCo has dropped are removed (current_mjcf.h). `discardvisual` is ignored, since a skin may
-/// be on a geom that is only drawn. Geoms without a name get one (scene_names.h). Throws Error naming the file, also if
-/// two layouts are attached to one geom, or a layout to a geom that already has a sensor.
+/// be on a geom that is only drawn. Geoms without a name get one (scene_names.h). Attachments with `is_declared`
+/// replace layouts of declared sensors; their models are in `edited`. Throws Error naming the file, also if two layouts
+/// are attached to one geom, or a layout to a geom that already has a sensor.
 CompiledScene load_scene(const std::filesystem::path& scene, const std::vector<SceneAttachment>& attachments);
 
 /// Returns the scene as files that can be moved together: assets and layouts are next to the scene, or in `folder` if

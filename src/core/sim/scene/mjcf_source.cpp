@@ -114,6 +114,11 @@ void MjcfChanges::set(int element, const std::string& attribute, const std::stri
   changes.push_back({at, at, fmt::format(" {0}={1}{2}{1}", attribute, quote, xml_escaped(value))});
 }
 
+void MjcfChanges::insert_before(int element, const std::string& text) {
+  const MjcfElement& one = source_.elements()[static_cast<std::size_t>(element)];
+  changes_[static_cast<std::size_t>(one.file)].push_back({one.tag.begin, one.tag.begin, text});
+}
+
 void MjcfChanges::append(const std::vector<std::string>& lines) {
   if (lines.empty()) return;
   const MjcfFile& scene = source_.files().front();

@@ -64,6 +64,8 @@ class MjcfChanges {
   /// Sets an attribute: replaces its value, or adds the attribute, a name behind the element's name and others at the
   /// end of the tag.
   void set(int element, const std::string& attribute, const std::string& value);
+  /// Adds text directly before an element.
+  void insert_before(int element, const std::string& text);
   /// Adds lines at the end of the scene, indented as its root's children are. Each line begins with two spaces for each
   /// further level. Throws Error if the root is an empty element.
   void append(const std::vector<std::string>& lines);

@@ -14,6 +14,7 @@
 #include "core/sim/plugin/plugin_config.h"
 #include "core/sim/plugin/plugin_instances.h"
 #include "core/sim/scene/added_sensors.h"
+#include "core/sim/scene/declared_layouts.h"
 #include "core/sim/scene/mjcf_source.h"
 #include "core/sim/scene/mjcf_text.h"
 #include "core/sim/scene/patched_files.h"
@@ -136,6 +137,12 @@ struct Addition {
   std::string name, geom_name, layout, key;  ///< names of instance, geom and layout file; its key
 };
 
+/// Returns the attachments that add a sensor to the scene.
+std::vector<SceneAttachment> added_ones(std::vector<SceneAttachment> attachments) {
+  std::erase_if(attachments, [](const SceneAttachment& one) { return one.is_declared; });
+  return attachments;
+}
+
 using IntPair = std::pair<int, int>;
 
 std::set<IntPair> excluded_bodies(const mjModel& m) {
@@ -152,7 +159,7 @@ class Patch {
         fs::path output, std::string title, bool zero)
       : marked_(marked),
         attached_(attached),
-        attachments_(attachments),
+        attachments_(added_ones(attachments)),
         output_(std::move(output)),
         title_(std::move(title)),
         has_copies_(has_replicate()),
@@ -167,9 +174,11 @@ class Patch {
     PatchedScene out;
     LayoutFiles layouts(output_);
     for (Addition& one : additions_) write_layout(one, layouts, out);
+    const std::map<int, std::string> edited = write_edited_layouts(layouts);
     const std::vector<std::string> excludes = exclude_lines();
     verify(excludes);
     MjcfChanges changes = changes_;
+    for (const auto& [element, value] : edited) changes.set(element, "value", value);
     changes.append(lines(excludes, false));
     for (auto& [name, text] : texts_next_to(*marked_.source, changes, output_)) {
       if (name == output_.filename().string()) {
@@ -299,18 +308,40 @@ class Patch {
   void write_layout(Addition& one, LayoutFiles& layouts, PatchedScene& out) {
     const mjModel& m = *attached_.model;
     one.layout = layouts.add(*one.attachment, *one.model, one.geom_name);
-    const std::vector<fs::path> folders = layout_folders(m, one.geom);
-    const fs::path file = folder() / one.layout;
-    if (folders.size() > 1) {  // the last one is the working directory
-      one.key = path_from(folders.front(), file);
-    } else {  // no mesh says where the scene's files are
-      const std::string mesh = path_from(folder(), layouts.mesh());
-      assets_.push_back(fmt::format(R"(    <mesh name="skin of {}" file="{}" inertia="shell"/>)",
-                                    xml_escaped(one.geom_name), xml_escaped(mesh)));
-      one.key = path_from(layouts.mesh().parent_path(), file);
-    }
+    one.key = key_of(one.geom, one.geom_name, one.layout, layouts);
     out.sensors.push_back({one.geom_name, body_name(m, m.geom_bodyid[one.geom]), one.name + " taxels", one.layout,
                            one.model->taxel_count()});
+  }
+
+  /// Returns the value of the key `layout` for the file that was added last.
+  std::string key_of(int geom, const std::string& geom_name, const std::string& layout, const LayoutFiles& layouts) {
+    const std::vector<fs::path> folders = layout_folders(*attached_.model, geom);
+    const fs::path file = folder() / layout;
+    if (folders.size() > 1) return path_from(folders.front(), file);  // the last one is the working directory
+    // No mesh says where the scene's files are.
+    const std::string mesh = path_from(folder(), layouts.mesh());
+    assets_.push_back(fmt::format(R"(    <mesh name="skin of {}" file="{}" inertia="shell"/>)", xml_escaped(geom_name),
+                                  xml_escaped(mesh)));
+    return path_from(layouts.mesh().parent_path(), file);
+  }
+
+  /// Adds the edited layouts of declared sensors. Returns the new values of their keys `layout`, by element.
+  std::map<int, std::string> write_edited_layouts(LayoutFiles& layouts) {
+    std::map<int, std::string> values;
+    const mjModel& m = *marked_.model;
+    for (const int i : sensor_instances(m)) {
+      const auto model = attached_.edited.find(instance_name(m, i));
+      if (model == attached_.edited.end()) continue;
+      const DeclaredLayout declared = declared_layout(m, i, *model->second);
+      if (declared.is_unchanged) continue;
+      const SensorConfig config = read_sensor_config(m, i);
+      const int element = layout_element(*marked_.source, model->first, title_);
+      const SceneAttachment edited{.geom = config.geom_name, .layout = declared.file.string(), .model = model->second};
+      const std::string name = layouts.add(edited, *model->second, config.geom_name);
+      values[element] = key_of(config.geom, config.geom_name, name, layouts);
+      notes_.push_back(fmt::format("sensor \"{}\" reads the edited layout {}", model->first, name));
+    }
+    return values;
   }
 
   /// Returns the lines of `<exclude>`, and names their bodies.
@@ -405,7 +436,7 @@ class Patch {
 
   const MarkedScene& marked_;
   const CompiledScene& attached_;
-  const std::vector<SceneAttachment>& attachments_;
+  const std::vector<SceneAttachment> attachments_;  // without those of declared sensors
   fs::path output_;
   std::string title_;
   bool has_copies_ = false;  // the scene has <replicate>, with which MuJoCo takes no instances
@@ -520,6 +551,33 @@ PatchedScene patched_scene(const fs::path& scene, const std::vector<SceneAttachm
   } catch (const Error&) {  // contacts of the sensors' own geoms may need excludes of bodies
   }
   return patch(false);
+}
+
+std::map<fs::path, std::string> with_layout_file(const fs::path& scene, const std::vector<std::string>& geoms,
+                                                 const fs::path& file) {
+  std::error_code ignored;
+  const std::string title = scene.string();
+  const fs::path main = fs::absolute(scene, ignored).lexically_normal();
+  const MarkedScene marked = read_marked(main, title);
+  if (marked.is_urdf) throw Error(title, "is a URDF, which declares no sensors");
+  const mjModel& m = *marked.model;
+  MjcfChanges changes(*marked.source);
+  for (const std::string& geom : geoms) {
+    const int instance = declared_instance(m, geom, title);
+    const int element = layout_element(*marked.source, instance_name(m, instance), title);
+    const std::vector<fs::path> folders = layout_folders(m, read_sensor_config(m, instance).geom);
+    const bool has_folder = folders.size() > 1;  // the last one is the working directory
+    changes.set(element, "value",
+                has_folder ? path_from(folders.front(), file) : fs::absolute(file, ignored).generic_string());
+  }
+  std::map<fs::path, std::string> all, changed;
+  for (int f = 0; f < static_cast<int>(marked.source->files().size()); ++f) {
+    const fs::path& path = marked.source->files()[static_cast<std::size_t>(f)].path;
+    all[path] = changes.text(f);
+    if (changes.has_changes(f)) changed[path] = all[path];
+  }
+  compile_texts(main, all, title);
+  return changed;
 }
 
 }  // namespace taxel

@@ -250,7 +250,7 @@ bool is_declared(const Run& run, const std::string& geom) {
   const int sensor = ui::sensor_on(*run.frame->simulated, geom);
   if (sensor < 0 || run.frame->simulated->sensors[at(sensor)]->taxel_count() == 0) return false;
   return std::none_of(run.scene.attached.begin(), run.scene.attached.end(),
-                      [&](const SceneAttachment& one) { return one.geom == geom; });
+                      [&](const SceneAttachment& one) { return one.geom == geom && !one.is_declared; });
 }
 
 std::vector<SceneAttachment> attachments_with_edits(const Run& run, const Document& document) {
@@ -259,10 +259,12 @@ std::vector<SceneAttachment> attachments_with_edits(const Run& run, const Docume
   const SensorModelPtr model = document.model();
   if (!edited || !model || !document.edits.problem().empty()) return all;
   for (const std::string& geom : edited->geoms) {
-    if (is_declared(run, geom)) continue;
     const auto found =
         std::find_if(all.begin(), all.end(), [&](const SceneAttachment& one) { return one.geom == geom; });
+    const bool declared = is_declared(run, geom);
+    if (declared && found == all.end() && (model->taxel_count() == 0 || !document.edits.dirty())) continue;
     if (model->taxel_count() == 0) {
+      if (declared) continue;
       if (found != all.end()) all.erase(found);
       continue;
     }
@@ -271,6 +273,7 @@ std::vector<SceneAttachment> attachments_with_edits(const Run& run, const Docume
     one.layout = edited->file;
     one.skin = {};
     one.model = model;
+    one.is_declared = declared;
   }
   return all;
 }
@@ -338,17 +341,6 @@ void Handover::send_newest_of_scene(const SensorModelPtr& model, HostEvents& eve
   if (is_same_on_all && simulated && same_taxels(simulated->layout, model->layout) &&
       same_bristles(simulated->layout, model->layout) && same_mesh(simulated->mesh, model->mesh))
     return begin({simulated, model});
-  const auto declared =
-      std::find_if(geoms.begin(), geoms.end(), [&](const std::string& geom) { return is_declared(run_, geom); });
-  if (declared != geoms.end()) {
-    events.emplace_back(HostMessage{
-        Severity::warning,
-        fmt::format("The sensor on {} is declared in the scene's file with {} taxels and its own friction: save the "
-                    "layout (Ctrl+S), which reads the scene again with {} taxels.",
-                    *declared, model_on(*declared)->taxel_count(), model->taxel_count()),
-        ui::Holds::while_unrunnable});
-    return;
-  }
   std::vector<SceneAttachment> attachments = attachments_with_edits(run_, document_);
   if (attachments != run_.scene.attached) build_scene_again(run_, document_, std::move(attachments), false);
 }

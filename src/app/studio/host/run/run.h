@@ -82,7 +82,7 @@ struct RunningScene {
   bool is_scenario = false;               ///< the scene is built around the document for `scenario`
   bool is_of_document = false;            ///< the scene is the open document's
   bool is_still = false;                  ///< a recorded step is displayed, without a simulation
-  std::vector<SceneAttachment> attached;  ///< layouts on geoms that the scene's file does not declare
+  std::vector<SceneAttachment> attached;  ///< layouts on geoms that the file does not declare, or edited ones
   LeadRequest lead;                       ///< start and files that lead the scene
 
   /// Whether SIMULATE has something to display: the scene of the document, or a saved step.

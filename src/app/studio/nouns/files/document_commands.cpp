@@ -95,6 +95,8 @@ void carry_out_held(Host& host) {
 
 /// Saves the edited layout of a scene. A scene that declares the layout with another number of taxels is read again.
 void save_layout_in_scene(Host& host) {
+  const bool was_text = host.document.scene_layout->is_text;
+  if (was_text && !host.edits().dirty()) return carry_out_held(host);  // the text of the scene stays
   if (!save_scene_layout(host) || !host.run.frame) return;
   const std::vector<std::string>& geoms = host.document.scene_layout->geoms;
   const std::size_t taxels = host.edits().project()->layout.taxels.size();
@@ -102,7 +104,7 @@ void save_layout_in_scene(Host& host) {
   const bool any_declared = std::any_of(geoms.begin(), geoms.end(), [&](const std::string& geom) {
     return is_declared(host.run, geom) && scene.sensors[at(ui::sensor_on(scene, geom))]->layout.taxels.size() != taxels;
   });
-  if (any_declared && !host.app.get<ui::FilesState>().held) host.document.reload();
+  if (any_declared && !was_text && !host.app.get<ui::FilesState>().held) host.document.reload();
   carry_out_held(host);
 }
 
@@ -225,7 +227,9 @@ void carry_out(const ui::SaveScene& wanted, Host& host) {
     return ask_for_file(host.app, ui::FileTask::save_scene, "That is the scene that is open, which stays as it is.");
   if (!may_write(host, wanted.path, ui::FileTask::save_scene, wanted.replace)) return;
   const bool has_layout = host.document.scene_layout && !host.edits().project()->layout.taxels.empty();
-  const bool is_unsaved = has_layout && (host.edits().dirty() || !host.document.scene_layout->is_written);
+  // The scene that is open stays as it is, with the layouts that its file declares.
+  const bool is_unsaved =
+      has_layout && !edits_declared_layout(host) && (host.edits().dirty() || !host.document.scene_layout->is_written);
   if (is_unsaved && !save_scene_layout(host)) return;
   if (has_layout) host.handover.request();
   host.files.scene_to_save = wanted.path;

@@ -79,7 +79,7 @@ void dump_controls(const App& app, nlohmann::ordered_json& state) {
   }
   json["attached"] = Json::array();
   for (const SceneAttachment& one : app.shown->run.attached)
-    json["attached"].push_back({{"geom", one.geom}, {"layout", one.layout}});
+    if (!one.is_declared) json["attached"].push_back({{"geom", one.geom}, {"layout", one.layout}});
   json["chosen"] = app.get<ControlsState>().geoms;
   state["scene"] = std::move(json);
 }

@@ -40,7 +40,7 @@ int lit_body(int body) {
 
 const SceneAttachment* attachment_on(const RunView& run, const std::string& geom) {
   const auto found = std::find_if(run.attached.begin(), run.attached.end(),
-                                  [&](const SceneAttachment& attached) { return attached.geom == geom; });
+                                  [&](const SceneAttachment& one) { return one.geom == geom && !one.is_declared; });
   return found != run.attached.end() ? &*found : nullptr;
 }
 

@@ -155,7 +155,9 @@ void leave(Host& host) {
   const auto is_of_layout = [&](const SceneAttachment& one) {
     return std::find(geoms.begin(), geoms.end(), one.geom) != geoms.end();
   };
-  std::erase_if(attachments, [&](const SceneAttachment& one) { return is_of_layout(one) && !exists(one.layout); });
+  std::erase_if(attachments, [&](const SceneAttachment& one) {
+    return is_of_layout(one) && (one.is_declared || !exists(one.layout));
+  });
   for (SceneAttachment& one : attachments)
     if (is_of_layout(one)) one.model = nullptr;
   const bool any_declared =
@@ -180,6 +182,18 @@ OpenMeshPtr mesh_of(const SensorModel& model, const MeshRef& ref) {
   return std::make_shared<const OpenMesh>(OpenMesh{std::move(loaded), std::move(findings)});
 }
 
+/// Returns the geoms of the sensors that read by the layout of `sensor`, whose own geom is the first.
+std::vector<std::string> geoms_of_layout(const SimScene& scene, int sensor) {
+  const std::string &own = scene.sensor_geoms[at(sensor)], &file = scene.sensor_layouts[at(sensor)];
+  std::vector<std::string> geoms{own};
+  for (std::size_t i = 0; i < scene.sensors.size(); ++i) {
+    const bool is_same_file = !file.empty() && scene.sensor_layouts[i] == file;
+    if ((is_same_file || scene.sensors[i] == scene.sensors[at(sensor)]) && scene.sensor_geoms[i] != own)
+      geoms.push_back(scene.sensor_geoms[i]);
+  }
+  return geoms;
+}
+
 /// Begins to edit the layout of a sensor. A layout in a format of another program gets a file of its own.
 void edit_sensor(Host& host, const SimScene& scene, int sensor) {
   const std::string& geom = scene.sensor_geoms[at(sensor)];
@@ -196,12 +210,13 @@ void edit_sensor(Host& host, const SimScene& scene, int sensor) {
   if (!is_own) file = free_file(host, project.layout.name.empty() ? geom : project.layout.name, ".taxels.json");
   if (!exists(mesh.file))
     mesh = {free_file(host, geom, ".obj"), dvec3(1), sha256_hex(write_obj(*model->loaded)), mesh.repair};
-  std::vector<std::string> geoms{geom};
-  for (std::size_t i = 0; i < scene.sensors.size(); ++i)
-    if (scene.sensors[i] == model && scene.sensor_geoms[i] != geom) geoms.push_back(scene.sensor_geoms[i]);
+  const bool is_text = attached == nullptr && scene.sensor_layouts[at(sensor)].empty();
+  const std::vector<std::string> geoms = geoms_of_layout(scene, sensor);
+  if (geoms.size() > 1)
+    host.report(Severity::note, fmt::format("{} have this layout, and change with it.", fmt::join(geoms, ", ")));
   OpenMeshPtr open_mesh = mesh_of(*model, mesh);
   leave(host);
-  edit_layout_of_scene(host.document, {file, std::move(geoms), exists(file)},
+  edit_layout_of_scene(host.document, {file, geoms, exists(file), is_text},
                        std::make_shared<const Project>(std::move(project)), std::move(open_mesh), model);
   host.app.viewer->selection.sensor = sensor;
   show_layout(host, false);
@@ -275,6 +290,7 @@ void attach_running(Host& host, const SimScene& scene, int sensor, const std::ve
                                                     scene.sensor_geoms[at(sensor)]));
   attachment.model = scene.sensors[at(sensor)];
   attachment.skin = {};
+  attachment.is_declared = false;
   std::vector<SceneAttachment> attachments = attachments_with_edits(host.run, host.document);
   for (const std::string& geom : geoms) {
     attachment.geom = geom;
@@ -362,6 +378,25 @@ bool leaves_scene_layout(const ui::Command& command, const Host& host) {
   return command.is<ui::NewLayoutOnGeom>() || command.is<ui::LeaveLayout>();
 }
 
+namespace {
+
+/// Lets the scene's file name a layout file in place of the text of the layout.
+void name_layout_in_scene(Host& host, const std::vector<std::string>& geoms, const std::string& file) {
+  NameLayoutCommand command{host.document.file(), {}, file};
+  for (const std::string& geom : geoms)
+    if (is_declared(host.run, geom)) command.geoms.push_back(geom);
+  host.document.scene_layout->is_text = false;
+  host.run.simulation->send(std::move(command));
+}
+
+}  // namespace
+
+bool edits_declared_layout(const Host& host) {
+  const std::optional<ui::SceneLayout>& edited = host.document.scene_layout;
+  return edited && std::any_of(edited->geoms.begin(), edited->geoms.end(),
+                               [&](const std::string& geom) { return is_declared(host.run, geom); });
+}
+
 bool save_scene_layout(Host& host) {
   if (!host.document.scene_layout) return false;
   const ui::SceneLayout layout = *host.document.scene_layout;
@@ -385,6 +420,7 @@ bool save_scene_layout(Host& host) {
   host.document.scene_layout->file = file;
   host.document.scene_layout->is_written = true;
   host.edits().mark_saved();
+  if (layout.is_text) name_layout_in_scene(host, layout.geoms, file);
   for (SceneAttachment& one : host.run.scene.attached)
     if (std::find(layout.geoms.begin(), layout.geoms.end(), one.geom) != layout.geoms.end()) one.layout = file;
   host.report(Severity::note, "Saved " + file);

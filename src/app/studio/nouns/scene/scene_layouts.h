@@ -52,7 +52,10 @@ void carry_out(const ui::LeaveLayout& command, Host& host);
 
 /// Returns whether a command ends editing the layout of a scene, so that its unsaved edits would be lost.
 [[nodiscard]] bool leaves_scene_layout(const ui::Command& command, const Host& host);
-/// Writes the edited layout of the scene to its file. Returns whether it was written; if not, a message says why.
+/// Returns whether the scene's file declares the edited layout for at least one of its geoms.
+[[nodiscard]] bool edits_declared_layout(const Host& host);
+/// Writes the edited layout of the scene to its file. If the scene has the layout as text, the scene's file names the
+/// written file afterwards. Returns whether it was written; if not, a message says why.
 bool save_scene_layout(Host& host);
 /// Writes the scene that the user asked for, as soon as the simulation reads by the newest layout.
 void save_scene_when_ready(Host& host);
