@@ -50,6 +50,19 @@ TEST(SceneLook, HasTheValuesOfTheFile) {
   EXPECT_EQ(look.sky->height, 48);
 }
 
+TEST(SceneLook, TakesTheColorOfAGeomBeforeThatOfItsMaterial) {
+  const test::SensorScene s;
+  const auto scene = load_lit(s, R"(<mujoco><asset><material name='red' rgba='1 0 0 1'/></asset><worldbody>
+    <geom size='.1' material='red'/><geom size='.1' material='red' rgba='0 0 1 .5'/>
+    <site name='a' material='red'/><site name='b' material='red' rgba='0 1 0 1'/></worldbody></mujoco>)");
+  ASSERT_EQ(scene->geoms.size(), 2U);
+  EXPECT_EQ(scene->geoms[0].rgba, (std::array<float, 4>{1, 0, 0, 1}));
+  EXPECT_EQ(scene->geoms[1].rgba, (std::array<float, 4>{0, 0, 1, 0.5f}));
+  ASSERT_EQ(scene->marks.sites.size(), 2U);
+  EXPECT_EQ(scene->marks.sites[0].rgba, (std::array<float, 4>{1, 0, 0, 1}));
+  EXPECT_EQ(scene->marks.sites[1].rgba, (std::array<float, 4>{0, 1, 0, 1}));
+}
+
 TEST(SceneLook, GivesEachGeomItsMaterial) {
   const test::SensorScene s;
   const auto scene = load_lit(s, kLitScene);

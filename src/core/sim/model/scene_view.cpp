@@ -283,6 +283,12 @@ GeomSkin skin_of(const mjModel& m, int geom, const TriMesh& surface) {
   return skin;
 }
 
+/// Returns the colour that MuJoCo draws: that of the material, unless the object has one that is not MuJoCo's default.
+const float* shown_rgba(const mjModel& m, const float* own, int material) {
+  const bool is_default = own[0] == 0.5f && own[1] == 0.5f && own[2] == 0.5f && own[3] == 1.0f;
+  return material >= 0 && is_default ? m.mat_rgba + 4 * material : own;
+}
+
 }  // namespace
 
 std::vector<SceneGeom> drawable_geoms(const mjModel& m, std::vector<int>& geoms) {
@@ -290,7 +296,7 @@ std::vector<SceneGeom> drawable_geoms(const mjModel& m, std::vector<int>& geoms)
   geoms.clear();
   for (int g = 0; g < m.ngeom; ++g) {
     const int material = m.geom_matid[g];
-    const float* rgba = material >= 0 ? m.mat_rgba + 4 * material : m.geom_rgba + 4 * g;
+    const float* rgba = shown_rgba(m, m.geom_rgba + 4 * g, material);
     if (!(rgba[3] > 0)) continue;
     SceneGeom geom;
     geom.name = geom_name(m, g);
@@ -330,7 +336,7 @@ std::vector<SceneSite> drawable_sites(const mjModel& m) {
   std::vector<int> numbers;
   for (int s = 0; s < m.nsite; ++s) {
     const int material = m.site_matid[s];
-    const float* rgba = material >= 0 ? m.mat_rgba + 4 * material : m.site_rgba + 4 * s;
+    const float* rgba = shown_rgba(m, m.site_rgba + 4 * s, material);
     if (!(rgba[3] > 0)) continue;
     SceneSite site;
     site.name = object_name(m, mjOBJ_SITE, s, "site");
