@@ -1,35 +1,11 @@
 #version 410 core
-// A body of a user's scene. Diffuse light and the reflected sky, which are smooth, are computed here, and the highlight
-// of the first light in each pixel.
 #include "frame.glsl"
 #include "key_shadow.glsl"
 #include "light.glsl"
-
-layout(location = 0) in vec3 position;
-layout(location = 1) in vec3 normal;
-uniform mat4 world_from_mesh;
-uniform float toward_eye;
-uniform vec4 base;    // albedo, linear; opacity
-uniform vec4 finish;  // roughness, reflectance of lights, metallic, emission
-out vec3 normal_W, towards_eye;
-out vec3 p_W;
-out vec3 key_at;             // place in the map of the key light
-out vec3 light_key, light_rest;  // leaving the surface
+#include "body_vertex.glsl"
 
 void main() {
-  vec4 p = world_from_mesh * vec4(position, 1.0);
-  p_W = p.xyz;
-  normal_W = mat3(world_from_mesh) * normal;
-  key_at = key_map_point(p.xyz, normal_W);
-  towards_eye = normalize(eye.xyz - p.xyz);
-  float cosine = dot(normal_W, towards_eye);
-  if (cosine < 0.0) normal_W = cosine < -0.2 ? -normal_W : normalize(normal_W - 1.02 * cosine * towards_eye);
-  cosine = max(dot(normal_W, towards_eye), 0.0);
-  vec3 matte = base.rgb * (1.0 - finish.z), f0 = mix(vec3(finish.y), base.rgb, finish.z);
-  light_key = matte * shadowing_light(p.xyz, normal_W, towards_eye);
-  light_rest = matte * ambient_light(p.xyz, normal_W, towards_eye) + finish.w * base.rgb +
-               reflected_sky(normal_W, towards_eye, base.rgb, finish) +
-               f0 * cosine * highlight(cosine, 1.0, finish.x) * head_specular;
-  gl_Position = clip_from_view * vec4(drawn_nearer((view_from_world * p).xyz, toward_eye), 1.0);
-  gl_ClipDistance[0] = clip_distance_of(p);
+  vec3 of_sky, of_head;
+  place_vertex(of_sky, of_head);
+  light_rest = light_rest + of_sky + of_head;
 }

@@ -13,9 +13,11 @@ float contact_distance(vec3 p) {
   return least;
 }
 
-float light_near_contact(vec3 p) {
-  return contact_count > 0 ? 1.0 - 0.35 * (1.0 - smoothstep(0.7, 1.5, contact_distance(p))) : 1.0;
-}
+// The following functions take a distance from the nearest contact.
+float light_at_distance(float d) { return 1.0 - 0.35 * (1.0 - smoothstep(0.7, 1.5, d)); }
 
 // Returns the opacity of an object: 0.4 where it touches, 1 from two radii of the contact on.
-float alpha_near_contact(vec3 p) { return mix(kNearAlpha, 1.0, smoothstep(1.15, 2.0, contact_distance(p))); }
+float alpha_at_distance(float d) { return mix(kNearAlpha, 1.0, smoothstep(1.15, 2.0, d)); }
+
+float light_near_contact(vec3 p) { return contact_count > 0 ? light_at_distance(contact_distance(p)) : 1.0; }
+float alpha_near_contact(vec3 p) { return alpha_at_distance(contact_distance(p)); }

@@ -109,6 +109,7 @@ struct SceneGeom {
   int covered_by = -1;                     ///< index of the sensor whose skin coincides with the geom's surface, or -1
   std::array<double, 2> plane_size{0, 0};  ///< half sizes of a plane [m]; 0 if infinite
   SceneMaterialPtr material;               ///< material; null for MuJoCo's default material
+  TextureCoordsPtr texture_coords;         ///< places of `mesh` in a flat texture of the material; null if none
   GeomSkin skin;
 
   /// Returns the name in lists and messages.

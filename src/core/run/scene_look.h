@@ -20,6 +20,11 @@ struct SceneTexture {
 };
 using SceneTexturePtr = std::shared_ptr<const SceneTexture>;
 
+/// Places in a texture: of each corner of each face of a mesh, in the order of its faces. The first row of the image is
+/// at 0 of the second coordinate.
+using TextureCoords = std::vector<glm::vec2>;
+using TextureCoordsPtr = std::shared_ptr<const TextureCoords>;
+
 /// A material as in MJCF. The defaults are MuJoCo's for a geom without a material.
 struct SceneMaterial {
   float emission = 0, specular = 0.5f, shininess = 0.5f, reflectance = 0;

@@ -42,6 +42,17 @@ TEST(CreaseNormals, SmoothASphereAndKeepTheOrderOfFaces) {
   }
 }
 
+TEST(CreaseNormals, SplitVerticesAtASeamOfATexture) {
+  const std::vector<glm::vec2> even{{0, 0}, {1, 0}, {1, 1}, {0, 0}, {1, 1}, {0, 1}};
+  std::vector<glm::vec2> seam = even;
+  seam[4] = {0.5f, 0.5f};  // of the vertex 2, which both faces have
+  EXPECT_EQ(make_render_mesh(square(1), 40, even).vertices.size(), 4u);
+  const RenderMesh split = make_render_mesh(square(1), 40, seam);
+  ASSERT_EQ(split.vertices.size(), 5u);
+  for (std::size_t i = 0; i < seam.size(); ++i) EXPECT_EQ(split.texture_coords[split.indices[i]], seam[i]);
+  EXPECT_TRUE(make_render_mesh(square(1)).texture_coords.empty());
+}
+
 TEST(MeshEdges, FindTwelveCreasesAndSixDiagonalsOfABox) {
   const TriMesh box = make_box({1, 1, 1});
   const auto edges = mesh_edges(box);

@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "core/sim/simulator.h"
 #include "fixtures/fill_frame.h"
 #include "fixtures/sensor_scene.h"
@@ -9,6 +11,7 @@
 #include "ui/scene/passes/scene_lighting.h"
 #include "ui/scene/passes/scene_passes.h"
 #include "ui/scene/picture.h"
+#include "ui/scene/scene_parts.h"
 #include "ui/scene/scene_renderer.h"
 
 namespace taxel::ui {
@@ -112,6 +115,98 @@ TEST_F(SceneLookPicture, DrawsASkinBeforeAGeomAtTheSamePlace) {
                 input, [&](const Camera& camera) { return draw(input, camera); }, seen),
             0);
   EXPECT_GT(seen, 500);
+}
+
+/// An image of 2 x 2 pixels: red and green above, blue and white below.
+constexpr unsigned char kFourColors[] = {
+    0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 0x00, 0x00, 0x00, 0x0d, 0x49, 0x48, 0x44, 0x52, 0x00, 0x00, 0x00,
+    0x02, 0x00, 0x00, 0x00, 0x02, 0x08, 0x02, 0x00, 0x00, 0x00, 0xfd, 0xd4, 0x9a, 0x73, 0x00, 0x00, 0x00, 0x13, 0x49,
+    0x44, 0x41, 0x54, 0x78, 0xda, 0x63, 0xf8, 0xc5, 0xc5, 0xc5, 0xf5, 0x8b, 0x8b, 0x01, 0x48, 0x00, 0x01, 0x00, 0x21,
+    0x56, 0x06, 0x19, 0x00, 0x7f, 0x62, 0xbd, 0x00, 0x00, 0x00, 0x00, 0x49, 0x45, 0x4e, 0x44, 0xae, 0x42, 0x60, 0x82};
+
+/// Returns a square of 0.4 m at 0.3 m height that faces up, above a plane. Its corners have the corners of kFourColors:
+/// the place (0, 0) of an OBJ is at the lower left of an image. Its other faces are blue. `geom` and `material` are
+/// more attributes of both. With `finger`, a skin touches the square at (-0.1, 0.1).
+SceneInput textured_square(const std::string& geom = "", const std::string& material = "", bool finger = false) {
+  const test::SensorScene s;
+  write_file_atomically(s.folder / "square.obj",
+                        "v -.2 -.2 0\nv .2 -.2 0\nv .2 .2 0\nv -.2 .2 0\nv 0 0 -.1\n"
+                        "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvt .25 .25\n"
+                        "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\nf 2/5 1/5 5/5\nf 3/5 2/5 5/5\nf 4/5 3/5 5/5\nf 1/5 4/5 5/5\n");
+  write_file_atomically(s.folder / "image.png", {reinterpret_cast<const char*>(kFourColors), sizeof(kFourColors)});
+  const std::string tip =
+      finger ? "<body pos='-.1 .1 .3061' quat='1 1 0 0'><geom name='tip' type='mesh' mesh='tip'/></body>" : "";
+  write_file_atomically(
+      s.folder / "scene.xml",
+      fmt::format(R"(<mujoco><asset><mesh name='square' file='square.obj'/><mesh name='tip' file='{}'/>
+      <texture name='image' type='2d' file='image.png'/><material name='image' texture='image' {}/>
+      <material name='mirror' rgba='.3 .3 .3 1' reflectance='.8'/></asset><worldbody>
+      <light type='directional' dir='0 0 -1' diffuse='.6 .6 .6'/><geom type='plane' size='0 0 1' material='mirror'/>
+      <body pos='0 0 .3'><freejoint/><geom type='mesh' mesh='square' material='image' {}/></body>{}
+      </worldbody></mujoco>)",
+                  TAXEL_SOURCE_DIR "/assets/meshes/fingertip.obj", material, geom, tip));
+  std::vector<SceneAttachment> attachments;
+  if (finger) attachments.push_back({"tip", TAXEL_SOURCE_DIR "/assets/layouts/fingertip.taxels.json"});
+  const auto simulator = Simulator::load(s.folder / "scene.xml", attachments);
+  auto frame = std::make_shared<SimFrame>();
+  test::fill_frame(*simulator, *frame);
+  SceneInput input;
+  input.frame = frame;
+  return input;
+}
+
+/// Returns the channels of a colour that are clearly brighter than its darkest one, as bits: 1 red, 2 green, 4 blue;
+/// 0 if it is grey.
+int hue(const std::array<int, 3>& pixel) {
+  const int least = *std::min_element(pixel.begin(), pixel.end());
+  return (pixel[0] > least + 40 ? 1 : 0) + (pixel[1] > least + 40 ? 2 : 0) + (pixel[2] > least + 40 ? 4 : 0);
+}
+
+class TexturedMesh : public SceneLookPicture {
+ protected:
+  TexturedMesh() : camera_(turned_camera({0, 0, 0.3}, -90, 1.2)) { camera_.elevation_deg = 70; }
+  /// Returns the hues in the middle of the quarters of the square: above left and right, below left and right.
+  std::array<int, 4> hues(const SceneInput& input, const std::string& name) {
+    const gl::RgbImage image = draw(input, camera_);
+    test::write_picture(name, image);
+    std::array<int, 4> found{};
+    for (int i = 0; i < 4; ++i)
+      found[at(i)] = hue(color_at(image, camera_, {i % 2 == 0 ? -0.1 : 0.1, i < 2 ? 0.1 : -0.1, 0.3}));
+    return found;
+  }
+  static constexpr std::array<int, 4> kColors{1, 2, 4, 0};
+  Camera camera_;
+};
+
+// MuJoCo's own renderer shows the image upright as well, and does not repeat it at the coordinates of a file.
+TEST_F(TexturedMesh, HasTheColorsOfTheImageAtItsCoordinates) {
+  EXPECT_EQ(hues(textured_square(), "textured_square"), kColors);
+  EXPECT_EQ(hues(textured_square("rgba='1 1 1 .6'"), "textured_glass"), kColors);
+  EXPECT_EQ(hues(textured_square("", "texrepeat='5 5'"), "textured_repeat"), kColors);
+  EXPECT_EQ(hues(textured_square("rgba='1 0 0 1'"), "textured_red")[3], 1) << "the colour of the geom multiplies it";
+}
+
+TEST_F(TexturedMesh, HasTheColorOfTheGeomWithoutCoordinates) {
+  SceneInput input = textured_square();
+  auto scene = std::make_shared<SimScene>(*input.frame->scene);
+  for (SceneGeom& geom : scene->geoms) geom.texture_coords = nullptr;
+  auto frame = std::make_shared<SimFrame>(*input.frame);
+  frame->scene = scene;
+  input.frame = frame;
+  EXPECT_EQ(hues(input, "textured_none"), (std::array{0, 0, 0, 0}));
+}
+
+TEST_F(TexturedMesh, KeepsItsTextureWhereItIsTouchedAndInAMirror) {
+  const SceneInput input = textured_square("", "", true);
+  ASSERT_FALSE(contact_spheres(input, 1).empty());
+  const std::array<int, 4> touched = hues(input, "textured_touched");
+  for (int i = 1; i < 4; ++i) EXPECT_EQ(touched[at(i)], kColors[at(i)]) << i;
+  Camera low = turned_camera({0, 0, 0}, -90, 1.2);
+  low.elevation_deg = 10;
+  const SceneInput alone = textured_square();
+  const gl::RgbImage image = draw(alone, low);
+  test::write_picture("textured_mirror", image);
+  EXPECT_EQ(hue(color_at(image, low, {0, -0.1, -0.25})), 4) << "the mirrored underside";
 }
 
 constexpr const char* kFloorScene = R"(<mujoco><asset>

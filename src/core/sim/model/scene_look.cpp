@@ -61,6 +61,37 @@ SceneMaterial material_of(const mjModel& m, int id, Textures& textures) {
   return material;
 }
 
+/// Returns the places of a mesh in a texture; null if its file has none.
+TextureCoordsPtr texture_coords_of(const mjModel& m, int mesh) {
+  if (m.mesh_texcoordadr[mesh] < 0) return nullptr;
+  const float* coords = m.mesh_texcoord + 2 * static_cast<std::ptrdiff_t>(m.mesh_texcoordadr[mesh]);
+  const int* corners = m.mesh_facetexcoord + 3 * static_cast<std::ptrdiff_t>(m.mesh_faceadr[mesh]);
+  TextureCoords places;
+  for (int i = 0; i < 3 * m.mesh_facenum[mesh]; ++i) {
+    const float* place = coords + 2 * static_cast<std::ptrdiff_t>(corners[i]);
+    places.emplace_back(place[0], place[1]);
+  }
+  return std::make_shared<const TextureCoords>(std::move(places));
+}
+
+/// The places in textures of meshes, which geoms share.
+class MeshTextureCoords {
+ public:
+  explicit MeshTextureCoords(const mjModel& m) : m_(m) {}
+  /// Returns null unless the geom is a mesh with such places and its material has a flat texture.
+  TextureCoordsPtr get(int geom, const SceneMaterial& material) {
+    const int mesh = m_.geom_type[geom] == mjGEOM_MESH ? m_.geom_dataid[geom] : -1;
+    if (mesh < 0 || material.texture == nullptr || material.texture->cube) return nullptr;
+    const auto [place, added] = made_.try_emplace(mesh);
+    if (added) place->second = texture_coords_of(m_, mesh);
+    return place->second;
+  }
+
+ private:
+  const mjModel& m_;
+  std::map<int, TextureCoordsPtr> made_;
+};
+
 SceneLight light_of(const mjModel& m, int id) {
   SceneLight light;
   light.kind = m.light_type[id] == mjLIGHT_DIRECTIONAL ? LightKind::directional
@@ -92,6 +123,7 @@ bool sets_view(const mjSpec& spec, const mjModel& m) {
 
 void add_look(const mjSpec& spec, const mjModel& m, const std::vector<int>& drawn, SimScene& scene) {
   Textures textures(m);
+  MeshTextureCoords coords(m);
   std::map<int, SceneMaterialPtr> materials;
   for (std::size_t i = 0; i < drawn.size(); ++i) {
     const int geom = drawn[i], id = m.geom_matid[geom];
@@ -100,6 +132,7 @@ void add_look(const mjSpec& spec, const mjModel& m, const std::vector<int>& draw
     SceneMaterialPtr& shared = materials[id];
     if (shared == nullptr) shared = std::make_shared<const SceneMaterial>(material_of(m, id, textures));
     scene.geoms[i].material = shared;
+    scene.geoms[i].texture_coords = coords.get(geom, *shared);
   }
   SceneLook look;
   for (int l = 0; l < m.nlight; ++l)

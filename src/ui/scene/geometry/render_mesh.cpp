@@ -38,7 +38,7 @@ double corner_angle(const TriMesh& mesh, int corner) {
 
 }  // namespace
 
-RenderMesh make_render_mesh(const TriMesh& mesh, double crease_deg) {
+RenderMesh make_render_mesh(const TriMesh& mesh, double crease_deg, std::span<const glm::vec2> texture_coords) {
   const double smooth = std::cos(glm::radians(crease_deg));
   const VertexFaces around = faces_of_vertices(mesh);
   RenderMesh out;
@@ -54,9 +54,16 @@ RenderMesh make_render_mesh(const TriMesh& mesh, double crease_deg) {
         if (glm::dot(own, other) >= smooth) sum += corner_angle(mesh, around.corners[at(j)]) * other;
       }
       const glm::vec3 normal(glm::normalize(glm::dot(sum, sum) > 0 ? sum : own));
+      const auto is_same = [&](std::size_t vertex) {
+        return out.vertices[vertex].normal == normal &&
+               (texture_coords.empty() || out.texture_coords[vertex] == texture_coords[at(corner)]);
+      };
       auto k = made;
-      while (k < out.vertices.size() && out.vertices[k].normal != normal) ++k;
-      if (k == out.vertices.size()) out.vertices.push_back({glm::vec3(mesh.vertices()[at(v)]), normal});
+      while (k < out.vertices.size() && !is_same(k)) ++k;
+      if (k == out.vertices.size()) {
+        out.vertices.push_back({glm::vec3(mesh.vertices()[at(v)]), normal});
+        if (!texture_coords.empty()) out.texture_coords.push_back(texture_coords[at(corner)]);
+      }
       out.indices[at(corner)] = static_cast<std::uint32_t>(k);
     }
   }

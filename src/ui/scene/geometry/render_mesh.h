@@ -19,13 +19,15 @@ struct RenderMesh {
     glm::vec3 normal{0};    ///< unit
   };
   std::vector<Vertex> vertices;
-  std::vector<std::uint32_t> indices;  ///< three per face, in the mesh's face order
+  std::vector<glm::vec2> texture_coords;  ///< one for each vertex, or empty
+  std::vector<std::uint32_t> indices;     ///< three per face, in the mesh's face order
 };
 
 /// Builds a mesh for drawing. The normal of a corner is the angle-weighted mean over the faces around its vertex whose
 /// normals are within `crease_deg` of the normal of the corner's face. Cost: linear in the number of faces if the
-/// valence is bounded.
-RenderMesh make_render_mesh(const TriMesh& mesh, double crease_deg = 40.0);
+/// valence is bounded. `texture_coords` are places in a texture, of the corners of all faces, or empty.
+RenderMesh make_render_mesh(const TriMesh& mesh, double crease_deg = 40.0,
+                            std::span<const glm::vec2> texture_coords = {});
 
 /// Returns a coarser mesh, for a mesh whose drawing would take too long (Rossignac, Borrel 1993, "Multi-resolution 3D
 /// approximations for rendering complex scenes"). All vertices within a cell of a grid are replaced by their mean.

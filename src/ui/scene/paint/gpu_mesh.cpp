@@ -5,10 +5,12 @@
 
 namespace taxel::ui {
 
-GpuMesh::GpuMesh(TriMeshPtr mesh, int most_faces) : mesh_(std::move(mesh)) {
-  if (most_faces > 0 && mesh_->face_count() > most_faces) mesh_ = simplify(mesh_, most_faces);
+GpuMesh::GpuMesh(TriMeshPtr mesh, int most_faces, const TextureCoordsPtr& texture_coords) : mesh_(std::move(mesh)) {
+  if (most_faces > 0 && mesh_->face_count() > most_faces && !texture_coords) mesh_ = simplify(mesh_, most_faces);
   outward_ = mesh_->closed() && mesh_->volume() > 0;
-  RenderMesh render = make_render_mesh(*mesh_);
+  constexpr double kCreaseDegrees = 40;
+  RenderMesh render =
+      make_render_mesh(*mesh_, kCreaseDegrees, texture_coords ? *texture_coords : std::span<const glm::vec2>());
   indices_ = std::move(render.indices);
   vertex_buffer_.upload(std::span<const RenderMesh::Vertex>(render.vertices), GL_STATIC_DRAW);
   index_buffer_.upload(std::span<const std::uint32_t>(indices_), GL_STATIC_DRAW);
@@ -16,6 +18,12 @@ GpuMesh::GpuMesh(TriMeshPtr mesh, int most_faces) : mesh_(std::move(mesh)) {
     constexpr auto stride = sizeof(RenderMesh::Vertex);
     array->attribute(0, vertex_buffer_, 3, GL_FLOAT, stride, offsetof(RenderMesh::Vertex, position));
     array->attribute(1, vertex_buffer_, 3, GL_FLOAT, stride, offsetof(RenderMesh::Vertex, normal));
+  }
+  if (texture_coords) {
+    texture_buffer_.emplace();
+    texture_buffer_->upload(std::span<const glm::vec2>(render.texture_coords), GL_STATIC_DRAW);
+    for (gl::VertexArray* array : {&vertex_array_, &sorted_array_})
+      array->attribute(2, *texture_buffer_, 2, GL_FLOAT, sizeof(glm::vec2), 0);
   }
   vertex_array_.elements(index_buffer_);
   sorted_array_.elements(sorted_buffer_);
@@ -71,9 +79,9 @@ const gl::Buffer& GpuMesh::wires(float width, std::uint32_t rgba) {
   return *wires_;
 }
 
-GpuMesh& MeshCache::get(const TriMeshPtr& mesh) {
-  Entry& entry = entries_[mesh];
-  if (!entry.mesh) entry.mesh = std::make_unique<GpuMesh>(mesh, most_faces_);
+GpuMesh& MeshCache::get(const TriMeshPtr& mesh, const TextureCoordsPtr& texture_coords) {
+  Entry& entry = entries_[{mesh, texture_coords}];
+  if (!entry.mesh) entry.mesh = std::make_unique<GpuMesh>(mesh, most_faces_, texture_coords);
   entry.used = true;
   return *entry.mesh;
 }

@@ -4,8 +4,11 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "core/mesh/tri_mesh.h"
+#include "core/run/scene_look.h"
 #include "ui/gl/objects.h"
 #include "ui/scene/geometry/render_mesh.h"
 #include "ui/scene/paint/mark_pass.h"
@@ -14,12 +17,14 @@ namespace taxel::ui {
 
 class GpuMesh {
  public:
-  /// If `most_faces` > 0, a mesh with more faces is simplified to about this number for drawing.
-  explicit GpuMesh(TriMeshPtr mesh, int most_faces = 0);
+  /// If `most_faces` > 0, a mesh with more faces is simplified to about this number for drawing, unless it has a
+  /// texture. `texture_coords` has as many faces as the mesh, or is null.
+  explicit GpuMesh(TriMeshPtr mesh, int most_faces = 0, const TextureCoordsPtr& texture_coords = nullptr);
 
   [[nodiscard]] const TriMesh& mesh() const { return *mesh_; }  ///< the mesh that is drawn
   [[nodiscard]] const TriMeshPtr& shared_mesh() const { return mesh_; }
-  const std::vector<MeshEdge>& edges();  ///< edges, computed at the first call
+  [[nodiscard]] bool has_texture() const { return texture_buffer_.has_value(); }  ///< has places in a texture
+  const std::vector<MeshEdge>& edges();                                           ///< edges, computed at the first call
   /// Returns true if the mesh is small enough to test each edge in each frame.
   [[nodiscard]] bool has_outlines() const { return mesh_->face_count() <= kMaxOutlined; }
 
@@ -43,7 +48,7 @@ class GpuMesh {
   std::vector<std::uint32_t> indices_, sorted_;
   gl::Buffer vertex_buffer_, index_buffer_, sorted_buffer_;
   gl::VertexArray vertex_array_, sorted_array_;
-  std::optional<gl::Buffer> wires_;
+  std::optional<gl::Buffer> wires_, texture_buffer_;
   std::uint32_t wire_rgba_ = 0;
 };
 
@@ -52,7 +57,7 @@ class MeshCache {
  public:
   /// `most_faces` is the limit of GpuMesh.
   explicit MeshCache(int most_faces) : most_faces_(most_faces) {}
-  GpuMesh& get(const TriMeshPtr& mesh);
+  GpuMesh& get(const TriMeshPtr& mesh, const TextureCoordsPtr& texture_coords = nullptr);
   void end_frame();
 
  private:
@@ -61,7 +66,7 @@ class MeshCache {
     bool used = true;
   };
   int most_faces_;
-  std::map<TriMeshPtr, Entry> entries_;
+  std::map<std::pair<TriMeshPtr, TextureCoordsPtr>, Entry> entries_;
 };
 
 }  // namespace taxel::ui

@@ -101,7 +101,8 @@ MeshList mesh_list(const SceneInput& input, const Look& look, MeshCache& cache) 
     if (geom.sensor >= 0 && sensor < skins.size()) mark_selected(skins[sensor], geom, input, look);
     if (!geom.mesh || geom.plane || geom.sensor >= 0 || !shows(input.overlays, geom)) continue;
     const glm::vec3 albedo = linear_from_srgb({geom.rgba[0], geom.rgba[1], geom.rgba[2]});
-    MeshItem item{&cache.get(geom.mesh), input.frame->geom_poses[i], albedo, look.solid_outline};
+    const TextureCoordsPtr& texture = scene.look ? geom.texture_coords : nullptr;
+    MeshItem item{&cache.get(geom.mesh, texture), input.frame->geom_poses[i], albedo, look.solid_outline};
     item.material = geom.material.get();
     item.alpha = geom.rgba[3];
     const bool glass = scene.look && item.alpha < 1;

@@ -95,10 +95,13 @@ void TextureCache::end_frame() {
 ScenePass::ScenePass(const gl::ShaderReader& read, int key_texels)
     : body_(read, "body"),
       touched_(read, "body.vert", "touched_body.frag"),
+      textured_(read, "textured"),
+      touched_textured_(read, "textured.vert", "touched_textured.frag"),
       floor_(read, "floor"),
       sky_(read, "screen.vert", "sky.frag"),
       shadow_(read, key_texels) {
-  floor_.set("image", static_cast<int>(kImageUnit));
+  for (const gl::Program* program : {&textured_, &touched_textured_, &floor_})
+    program->set("image", static_cast<int>(kImageUnit));
   floor_.set("mirrored", static_cast<int>(kMirrorUnit));
   sky_.set("sky", static_cast<int>(kSkyUnit));
 }
@@ -139,6 +142,7 @@ void ScenePass::set_item(const gl::Program& program, const MeshItem& item) {
   program.set("base", glm::vec4(item.albedo, item.alpha));
   program.set("finish", finish_of(material_of(item.material)));
   program.set("toward_eye", item.sensor ? kSkinTowardEye : 0.0f);
+  if (item.mesh->has_texture()) textures_.get(item.material->texture, true).bind(kImageUnit);
 }
 
 void ScenePass::begin_bodies(const gl::Program& program, bool clipped, const glm::vec4& inside,
@@ -161,43 +165,46 @@ void draw_whole(const MeshItem& item, const Camera& camera, bool clipped) {
   }
 }
 
-bool is_touched(const MeshItem& item) {
-  return item.touched;
+bool has_texture(const MeshItem& item) {
+  return item.mesh->has_texture();
 }
 
 }  // namespace
 
-void ScenePass::draw_solids(const MeshList& list, const Camera& camera, const Look& look, bool clipped) const {
-  gl::apply({});
-  const glm::vec4 inside = clipped ? look.cut_inside : glm::vec4(0);
+void ScenePass::draw_parts(const MeshList& list, const Camera& camera, const glm::vec4& inside, bool clipped,
+                           bool opaque) {
+  const gl::Program* const programs[2][2] = {{&body_, &textured_}, {&touched_, &touched_textured_}};
   for (const bool touched : {false, true}) {
-    if (touched && std::none_of(list.solids.begin(), list.solids.end(), is_touched)) break;
-    const gl::Program& program = touched ? touched_ : body_;
-    begin_bodies(program, clipped, inside, list.contacts);
-    program.set("opaque", 1.0f);
-    for (const MeshItem& item : list.solids) {
-      if (item.touched != touched) continue;
-      set_item(program, item);
-      draw_whole(item, camera, clipped);
+    if (!touched && !opaque) continue;  // only touched bodies have transparent parts
+    for (const bool textured : {false, true}) {
+      const auto is_drawn = [&](const MeshItem& item) {
+        return item.touched == touched && has_texture(item) == textured;
+      };
+      if (std::none_of(list.solids.begin(), list.solids.end(), is_drawn)) continue;
+      const gl::Program& program = *programs[touched ? 1 : 0][textured ? 1 : 0];
+      begin_bodies(program, clipped, inside, list.contacts);
+      program.set("opaque", opaque ? 1.0f : 0.0f);
+      for (const MeshItem& item : list.solids) {
+        if (!is_drawn(item)) continue;
+        set_item(program, item);
+        draw_whole(item, camera, clipped);
+      }
     }
   }
   set_clipped(false);
 }
 
-void ScenePass::draw_touched(const MeshList& list, const Camera& camera, const Look& look, bool clipped) const {
-  if (std::none_of(list.solids.begin(), list.solids.end(), is_touched)) return;
-  gl::apply({.depth_write = false, .blend = true});
-  begin_bodies(touched_, clipped, clipped ? look.cut_inside : glm::vec4(0), list.contacts);
-  touched_.set("opaque", 0.0f);
-  for (const MeshItem& item : list.solids) {
-    if (!item.touched) continue;
-    set_item(touched_, item);
-    draw_whole(item, camera, clipped);
-  }
-  set_clipped(false);
+void ScenePass::draw_solids(const MeshList& list, const Camera& camera, const Look& look, bool clipped) {
+  gl::apply({});
+  draw_parts(list, camera, clipped ? look.cut_inside : glm::vec4(0), clipped, true);
 }
 
-void ScenePass::draw_glass(std::vector<MeshItem> items, const Camera& camera, bool clipped) const {
+void ScenePass::draw_touched(const MeshList& list, const Camera& camera, const Look& look, bool clipped) {
+  gl::apply({.depth_write = false, .blend = true});
+  draw_parts(list, camera, clipped ? look.cut_inside : glm::vec4(0), clipped, false);
+}
+
+void ScenePass::draw_glass(std::vector<MeshItem> items, const Camera& camera, bool clipped) {
   if (items.empty()) return;
   const dvec3 direction_W = glm::normalize(camera.target - camera.eye());
   const auto depth = [&](const MeshItem& item) {
@@ -206,9 +213,12 @@ void ScenePass::draw_glass(std::vector<MeshItem> items, const Camera& camera, bo
   std::stable_sort(items.begin(), items.end(),
                    [&](const MeshItem& a, const MeshItem& b) { return depth(a) > depth(b); });
   gl::apply({.depth_write = false, .blend = true});
+  if (std::any_of(items.begin(), items.end(), has_texture)) begin_bodies(textured_, clipped, glm::vec4(0), {});
   begin_bodies(body_, clipped, glm::vec4(0), {});
   for (const MeshItem& item : items) {
-    set_item(body_, item);
+    const gl::Program& program = has_texture(item) ? textured_ : body_;
+    program.use();
+    set_item(program, item);
     item.mesh->draw_blended(glm::vec3(item.X_WM.inverse().rotate(direction_W)));
   }
   set_clipped(false);
@@ -240,11 +250,14 @@ void ScenePass::make_reflection(const MeshList& list, const Camera& camera, cons
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   glFrontFace(GL_CW);
   gl::apply({});
+  if (std::any_of(list.solids.begin(), list.solids.end(), has_texture)) begin_bodies(textured_, true, glm::vec4(0), {});
   begin_bodies(body_, true, glm::vec4(0), {});
   for (const auto* items : {&list.solids, &list.skins}) {
     for (const MeshItem& item : *items) {
       if (!item.casts) continue;
-      set_item(body_, item);
+      const gl::Program& program = has_texture(item) ? textured_ : body_;
+      program.use();
+      set_item(program, item);
       item.mesh->draw_without(GL_BACK);
     }
   }

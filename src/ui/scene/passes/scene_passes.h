@@ -60,11 +60,11 @@ class ScenePass {
   /// another framebuffer and frame bound.
   void make_reflection(const MeshList& list, const Camera& camera, const FrameUniforms& frame, int width, int height);
   /// Draws the solids of a list, but not the transparent parts of touched ones.
-  void draw_solids(const MeshList& list, const Camera& camera, const Look& look, bool clipped) const;
+  void draw_solids(const MeshList& list, const Camera& camera, const Look& look, bool clipped);
   /// Draws the transparent parts of touched solids, which hide nothing that is drawn later.
-  void draw_touched(const MeshList& list, const Camera& camera, const Look& look, bool clipped) const;
+  void draw_touched(const MeshList& list, const Camera& camera, const Look& look, bool clipped);
   /// Draws bodies that are partly transparent, over everything drawn so far.
-  void draw_glass(std::vector<MeshItem> items, const Camera& camera, bool clipped) const;
+  void draw_glass(std::vector<MeshItem> items, const Camera& camera, bool clipped);
   void draw_floors(const Camera& camera);
   /// Draws the sky of the file. Returns false if the file has none.
   bool draw_sky(const Camera& camera);
@@ -75,9 +75,11 @@ class ScenePass {
   /// Sets program and lights for bodies. `inside` is the colour of their inside, transparent if it is lit as well.
   void begin_bodies(const gl::Program& program, bool clipped, const glm::vec4& inside,
                     const std::vector<glm::vec4>& contacts) const;
-  static void set_item(const gl::Program& program, const MeshItem& item);
+  void set_item(const gl::Program& program, const MeshItem& item);
+  /// Draws the parts of solids that are opaque, or those that are not.
+  void draw_parts(const MeshList& list, const Camera& camera, const glm::vec4& inside, bool clipped, bool opaque);
 
-  gl::Program body_, touched_, floor_, sky_;
+  gl::Program body_, touched_, textured_, touched_textured_, floor_, sky_;
   KeyShadow shadow_;
   TextureCache textures_;
   SceneLighting lighting_;
