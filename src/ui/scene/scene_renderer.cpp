@@ -249,7 +249,7 @@ void SceneRenderer::Impl::draw_user_scene(const SceneInput& input, const Camera&
   if (occluded && !prepared) occlusion.draw(*target, kOcclusionRadius * scene_bounds(input).diagonal());
   if (background) {
     scene.draw_floors(camera);
-    if (!scene.draw_sky(camera)) ground.draw_background(studio);
+    if (!scene.draw_sky(camera, target->height())) ground.draw_background(studio);
     if (grid) ground.draw({floor.X_WP, false}, camera, look, true, segments);
     if (floor.filled || grid) ground.draw_shadow(floor, look);
   }

@@ -98,6 +98,7 @@ ScenePass::ScenePass(const gl::ShaderReader& read, int key_texels)
       textured_(read, "textured"),
       touched_textured_(read, "textured.vert", "touched_textured.frag"),
       floor_(read, "floor"),
+      plain_floor_(read, "floor.vert", "plain_floor.frag"),
       sky_(read, "screen.vert", "sky.frag"),
       shadow_(read, key_texels) {
   for (const gl::Program* program : {&textured_, &touched_textured_, &floor_})
@@ -265,54 +266,63 @@ void ScenePass::make_reflection(const MeshList& list, const Camera& camera, cons
   glFrontFace(GL_CCW);
 }
 
+void ScenePass::draw_floor(const FloorItem& floor, const Camera& camera, bool mirrors) {
+  const SceneMaterial& material = material_of(floor.material);
+  const bool behind = is_behind(floor.X_WP, camera.eye()), textured = material.texture && !material.texture->cube;
+  const gl::Program& program = textured || mirrors ? floor_ : plain_floor_;
+  glm::vec4 base = floor.base;
+  if (behind) base.w *= kBehind;
+  const dvec3 target = floor.X_WP.inverse() * camera.target;
+  const double reach = kFloorReach * camera.distance;
+  dvec2 middle(0), half(floor.half_size);
+  for (int k = 0; k < 2; ++k)
+    if (!(half[k] > 0)) middle[k] = target[k], half[k] = reach;
+  const bool infinite = half.x == reach || half.y == reach;
+  program.set("world_from_ground", matrix(floor.X_WP));
+  program.set("box", glm::vec4(glm::vec2(middle), glm::vec2(half)));
+  program.set("middle", glm::vec2(glm::clamp((dvec2(target) - middle) / half, dvec2(-0.9), dvec2(0.9))));
+  program.set("base", base);
+  program.set("finish", finish_of(material));
+  program.set("repeat", repeat_of(material, floor.half_size));
+  program.set("fade", glm::vec4(target.x, target.y, infinite ? 1 / reach : 0, 0));
+  program.set("haze", glm::vec4(file_->haze, file_->sky && infinite ? 1 : 0));
+  program.set("reflectance", mirrors ? std::clamp(material.reflectance, 0.0f, 1.0f) : 0.0f);
+  if (textured) textures_.get(material.texture, true).bind(kImageUnit);
+  if (mirrors) {
+    glActiveTexture(GL_TEXTURE0 + kMirrorUnit);
+    glBindTexture(GL_TEXTURE_2D, mirrored_->texture());
+  }
+  program.use();
+  const bool fades = infinite && !file_->sky;
+  gl::apply({.depth_write = base.w >= 1, .blend = base.w < 1 || fades});
+  glDrawArrays(GL_TRIANGLES, 0, kFloorVertices);
+}
+
 void ScenePass::draw_floors(const Camera& camera) {
   if (floors_.empty()) return;
-  use_lights(floor_);
-  floor_.set("clipped", 0.0f);
-  floor_.set("sky_high", lighting_.sky_high);
-  floor_.set("sky_low", lighting_.sky_low);
+  for (const gl::Program* program : {&floor_, &plain_floor_}) {
+    use_lights(*program);
+    program->set("clipped", 0.0f);
+    program->set("sky_high", lighting_.sky_high);
+    program->set("sky_low", lighting_.sky_low);
+  }
   empty_.bind();
   for (std::size_t i = 0; i < floors_.size(); ++i) {
-    const FloorItem& floor = floors_[i];
-    const SceneMaterial& material = material_of(floor.material);
-    const bool behind = is_behind(floor.X_WP, camera.eye());
-    glm::vec4 base = floor.base;
-    if (behind) base.w *= kBehind;
-    const dvec3 target = floor.X_WP.inverse() * camera.target;
-    const double reach = kFloorReach * camera.distance;
-    dvec2 middle(0), half(floor.half_size);
-    for (int k = 0; k < 2; ++k)
-      if (!(half[k] > 0)) middle[k] = target[k], half[k] = reach;
-    const bool infinite = half.x == reach || half.y == reach;
-    floor_.set("world_from_ground", matrix(floor.X_WP));
-    floor_.set("box", glm::vec4(glm::vec2(middle), glm::vec2(half)));
-    floor_.set("middle", glm::vec2(glm::clamp((dvec2(target) - middle) / half, dvec2(-0.9), dvec2(0.9))));
-    floor_.set("base", base);
-    floor_.set("finish", finish_of(material));
-    floor_.set("repeat", repeat_of(material, floor.half_size));
-    floor_.set("fade", glm::vec4(target.x, target.y, infinite ? 1 / reach : 0, 0));
-    floor_.set("haze", glm::vec4(file_->haze, file_->sky && infinite ? 1 : 0));
-    const bool mirrors = mirror_ == static_cast<int>(i) && !behind;
-    floor_.set("reflectance", mirrors ? std::clamp(material.reflectance, 0.0f, 1.0f) : 0.0f);
-    if (material.texture && !material.texture->cube) textures_.get(material.texture, true).bind(kImageUnit);
-    if (mirrors) {
-      glActiveTexture(GL_TEXTURE0 + kMirrorUnit);
-      glBindTexture(GL_TEXTURE_2D, mirrored_->texture());
-    }
-    floor_.use();
-    gl::apply({.depth_write = base.w >= 1, .blend = true});
-    glDrawArrays(GL_TRIANGLES, 0, kFloorVertices);
+    const bool mirrors = mirror_ == static_cast<int>(i) && !is_behind(floors_[i].X_WP, camera.eye());
+    draw_floor(floors_[i], camera, mirrors);
   }
 }
 
-bool ScenePass::draw_sky(const Camera& camera) {
+bool ScenePass::draw_sky(const Camera& camera, int height) {
   if (!file_->sky || !file_->sky->cube) return false;
   gl::apply({.depth = GL_LEQUAL, .depth_write = false});
   const bool infinite = std::any_of(floors_.begin(), floors_.end(), [](const FloorItem& floor) {
     return !(floor.half_size.x > 0) || !(floor.half_size.y > 0);
   });
   sky_.set("haze", glm::vec4(file_->haze, infinite ? 1 : 0));
-  sky_.set("tangent", static_cast<float>(std::tan(0.5 * glm::radians(camera.fov_deg))));
+  const double tangent = std::tan(0.5 * glm::radians(camera.fov_deg));
+  sky_.set("level", static_cast<float>(std::log2(std::max(file_->sky->width * tangent / height, 1.0))));
+  sky_.set("tangent", static_cast<float>(tangent));
   textures_.get(file_->sky, false).bind(kSkyUnit);
   sky_.use();
   empty_.bind();

@@ -66,11 +66,12 @@ class ScenePass {
   /// Draws bodies that are partly transparent, over everything drawn so far.
   void draw_glass(std::vector<MeshItem> items, const Camera& camera, bool clipped);
   void draw_floors(const Camera& camera);
-  /// Draws the sky of the file. Returns false if the file has none.
-  bool draw_sky(const Camera& camera);
+  /// Draws the sky of the file in a view of this height [pixels]. Returns false if the file has none.
+  bool draw_sky(const Camera& camera, int height);
   void end_frame() { textures_.end_frame(); }
 
  private:
+  void draw_floor(const FloorItem& floor, const Camera& camera, bool mirrors);
   void use_lights(const gl::Program& program) const;
   /// Sets program and lights for bodies. `inside` is the colour of their inside, transparent if it is lit as well.
   void begin_bodies(const gl::Program& program, bool clipped, const glm::vec4& inside,
@@ -79,7 +80,7 @@ class ScenePass {
   /// Draws the parts of solids that are opaque, or those that are not.
   void draw_parts(const MeshList& list, const Camera& camera, const glm::vec4& inside, bool clipped, bool opaque);
 
-  gl::Program body_, touched_, textured_, touched_textured_, floor_, sky_;
+  gl::Program body_, touched_, textured_, touched_textured_, floor_, plain_floor_, sky_;
   KeyShadow shadow_;
   TextureCache textures_;
   SceneLighting lighting_;
