@@ -1,7 +1,7 @@
 // Readings of many poses in one call (read_poses()), compared in the same run with mj_forward on a kept model whose
 // plugin reads the same poses. The fingertip with twelve taxels; a rigid ball of radius 4 mm with edges of 2, 1 or 0.4
-// mm, and a rigid box of half size 4 mm, which press its taxels along their normals. Processor time of one thread; the
-// rounds alternate, and each figure is a median.
+// mm, and a rigid box of half size 4 mm, which press its taxels along their normals. One ball presses a fingertip with
+// a stiffening pressure law. Processor time of one thread; the rounds alternate, and each figure is a median.
 //
 //   bench_pose_readings [ROUNDS]
 #include <fmt/format.h>
@@ -52,7 +52,8 @@ std::vector<Pose> presses(const SensorModel& model, double depth) {
 struct Presser {
   const char* name;
   ShapeType type;
-  double edge;  ///< length of the edges of its tessellation [m]
+  double edge;            ///< length of the edges of its tessellation [m]
+  double stiffening = 0;  ///< k of the fingertip's pressure law, 0 for the linear one
 };
 
 /// The scene of the fingertip and an object on a mocap body, without gravity.
@@ -127,12 +128,14 @@ void run(int rounds) {
   for (const Presser& presser :
        {Presser{"ball, edges of 2 mm", ShapeType::sphere, 0.002},
         Presser{"ball, edges of 1 mm", ShapeType::sphere, 0.001},
-        Presser{"ball, edges of 0.4 mm", ShapeType::sphere, 0.0004}, Presser{"box", ShapeType::box, 0.001}}) {
+        Presser{"ball, edges of 0.4 mm", ShapeType::sphere, 0.0004}, Presser{"box", ShapeType::box, 0.001},
+        Presser{"ball, edges of 1 mm, law e/(1 - 0.78 e)", ShapeType::sphere, 0.001, 0.78}}) {
     test::SensorScene scene;
     SensorSource source = read_sensor_source(TAXEL_SOURCE_DIR "/assets/layouts/fingertip.taxels.json");
     save_mesh(scene.folder / "tip.obj", *source.mesh.mesh);
     source.layout.mesh.file = "tip.obj";
     source.layout.mesh.sha256.clear();
+    if (presser.stiffening > 0) source.layout.material.law = {LawKind::stiffening, presser.stiffening, {}};
     write_layout(scene.folder / "tip.taxels.json", source.layout);
     scene.compile(scene_of(presser));
     if (scene.model == nullptr) throw Error(scene.error);

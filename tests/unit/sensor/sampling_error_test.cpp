@@ -98,11 +98,13 @@ class PressedEgg : public testing::TestWithParam<PressPlan> {};
 INSTANTIATE_TEST_SUITE_P(Few, PressedEgg, testing::Values(PressPlan{40, {1e6}}));
 INSTANTIATE_TEST_SUITE_P(Many, PressedEgg, testing::Values(PressPlan{200, {4e5, 1e6, 2.5e6, 1e7}}));
 
-// The errors of random presses against a hundred times the samples, for three layouts.
+// The errors of random presses against a hundred times the samples, for five layouts, two of them with pressure laws.
 TEST_P(PressedEgg, HasBarsThatContainTheErrorAgainstManySamples) {
   const TriMeshPtr egg = test::egg_mesh();
-  for (int number = 0; number < 3; ++number) {
+  for (int number = 0; number < 5; ++number) {
     Layout layout = egg_layout(egg, number == 1 ? Aggregate::mean : Aggregate::weighted_mean);
+    if (number == 3) layout.material.law = {LawKind::stiffening, 0.78, {}};
+    if (number == 4) layout.material.law = {LawKind::table, 0, {{0.15, 0.12}, {0.35, 0.4}, {0.6, 0.9}, {1, 2.2}}};
     if (number == 2) layout.receptive_field = {Metric::geodesic, 40, 10, FieldNormals::interpolated};
     for (const double density : GetParam().densities) {
       layout.sampling.density = density;
