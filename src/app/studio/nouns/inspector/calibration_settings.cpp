@@ -167,8 +167,11 @@ void draw_output(Rows& rows) {
 void draw_calibration_settings(WindowUi& ui, const Layout& layout) {
   if (!header(ui, "Calibration") || !begin_properties("calibration")) return;
   begin_property("Calibrated", "Also record values as a device would report them");
-  if (const auto on = switch_field(ui, "Calibrated", layout.calibration.has_value()))
-    post_edit(ui, SetCalibration{*on ? std::optional(Calibration{}) : std::nullopt});
+  if (const auto on = switch_field(ui, "Calibrated", layout.calibration.has_value())) {
+    SetCalibration edit;
+    if (*on) edit.calibration.emplace();
+    post_edit(ui, edit);
+  }
   if (layout.calibration) {
     Calibration calibration = *layout.calibration;
     Rows rows{ui, calibration};
