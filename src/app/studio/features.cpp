@@ -45,6 +45,7 @@ namespace {
 constexpr std::array kRows = {
     // The order in which the tools of the 3-D view get the pointer.
     &kClicks,
+    &kGizmo,
     &kProbe,
     &kMeasure,
     &kWheel,
@@ -52,7 +53,6 @@ constexpr std::array kRows = {
     &kPath,
     &kPerturb,
     &kCameraFollow,
-    &kGizmo,
     &kMeshFrame,
     &kPlaceTaxel,
     &kSelection,

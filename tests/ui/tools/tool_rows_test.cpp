@@ -79,7 +79,7 @@ TEST(ToolRows, GetThePointerInThisOrder) {
   Names keys;
   for (const ToolSpec& tool : tools())
     if (tool.pointer != nullptr) keys.emplace_back(tool.key);
-  EXPECT_EQ(keys, (Names{"clicks", "probe", "measure", "wheel", "taxel", "path", "perturb", "camera", "gizmo",
+  EXPECT_EQ(keys, (Names{"clicks", "gizmo", "probe", "measure", "wheel", "taxel", "path", "perturb", "camera",
                          "mesh_frame", "place", "selection"}));
 }
 

@@ -119,9 +119,16 @@ bool turn_wheel(App& app, const PointerEvent& event) {
   return false;  // the tools see where the pointer is
 }
 
-/// Looks along an axis whose end in the gizmo is clicked.
+/// Returns whether the gizmo has no use for an event: the wheel zooms there too, and a drag that began elsewhere passes
+/// over the gizmo.
+bool passes_gizmo(const PointerEvent& event) {
+  const auto drags = [](const ButtonState& button) { return button.moved && (button.down || button.released); };
+  return event.wheel != 0 || std::any_of(event.buttons.begin(), event.buttons.end(), drags);
+}
+
+/// Looks along an axis whose end in the gizmo is clicked, with every tool.
 bool point_gizmo(App& app, const PointerEvent& event) {
-  if (app.get<WindowParts>().is_presenting) return false;
+  if (app.get<WindowParts>().is_presenting || passes_gizmo(event)) return false;
   const dvec2 size(app.viewer->view.width, app.viewer->view.height);
   const int axis = gizmo_hit(app.viewer->camera(), event.at / app.ui->pixel_scale, size / app.ui->pixel_scale);
   if (axis < 0) return false;
