@@ -86,6 +86,50 @@ TEST(Generate, MakesAPreviewAnEditOnlyOnAccept) {
   EXPECT_EQ(studio.state("undone.json")["document"], before["document"]);
 }
 
+TEST(Generate, BeginsOnThePadFromAnyViewAndSaysHowToMoveThePattern) {
+  const StudioProgram studio;
+  studio.play({kIdle, key("1", R"("alt")"), kIdle, kGenerate, kIdle, dump("front.json"),
+               R"({"do": "screenshot", "file": "front.png"})", kGenerate, kIdle, key("1", R"("alt", "shift")"), kIdle,
+               kGenerate, kIdle, dump("back.json"), R"({"do": "screenshot", "file": "back.png"})"},
+              {kMeshFile});
+  const Json front = studio.state("front.json"), back = studio.state("back.json");
+  const Json& frame = front["document"]["layout"]["frame"];
+  const dvec3 pad = frame.is_null() ? dvec3(0, -1, 0) : vector_of(frame["pad"]);
+  const dvec3 center = vector_of(front["generate"]["center"]);
+  const dvec3 from_middle = center - generated_skin().mesh().bounds().center();
+  EXPECT_LT(glm::length(glm::cross(from_middle, pad)), 1e-9) << "under the middle of the mesh, along the pad";
+  EXPECT_GT(glm::dot(from_middle, pad), 0);
+  EXPECT_LT(glm::distance(vector_of(front["generate"]["normal"]), pad), 1e-12) << "straight, not along a face";
+  EXPECT_LT(generated_skin().closest_point(center).distance, 1e-7);
+  EXPECT_EQ(back["generate"]["center"], front["generate"]["center"]) << "from behind too";
+  EXPECT_EQ(front["generate"]["hint"], "Pattern: click the surface to move it   Ctrl+wheel turns   Esc ends");
+  EXPECT_EQ(back["generate"]["hint"],
+            "Pattern on the far side: click the surface to move it   Ctrl+wheel turns   Esc ends");
+}
+
+TEST(Generate, LeavesTheGizmoOfTheViewToClicksWithEveryTool) {
+  const StudioProgram studio;
+  const std::string front = key("1", R"("alt")");
+  studio.play({kIdle, front, kIdle, dump("place.json")}, {kMeshFile});
+  const Json rect = studio.state("place.json")["view"]["rect"];
+  // In the front view, the end of +x is 34 pixels to the right of the middle, which is 59 pixels from both edges.
+  const std::string ball =
+      "[" + std::to_string(rect[0].get<double>() + 93) + ", " + std::to_string(rect[3].get<double>() - 59) + "]";
+  Lines script;
+  const std::vector<std::pair<std::string, std::string>> tools{
+      {"none", ""}, {"generate", kGenerate}, {"brush", key("q")}, {"probe", key("x")}};
+  for (const auto& [name, take] : tools) {
+    script.insert(script.end(), {kIdle, front, kIdle});
+    if (!take.empty()) script.insert(script.end(), {take, kIdle});
+    script.insert(script.end(), {click(ball), kIdle, dump(name + ".json"), key("Esc"), kIdle});
+  }
+  studio.play(script, {kMeshFile});
+  const Json generate = studio.state("generate.json")["generate"];
+  ASSERT_FALSE(generate.is_null()) << "the panel stays open";
+  for (const auto& [name, take] : tools)
+    EXPECT_NEAR(studio.state(name + ".json")["camera"]["azimuth_deg"].get<double>(), 0, 1e-9) << name;
+}
+
 TEST(Generate, UpdatesThePreviewByFieldsAndRefusesNonsense) {
   const StudioProgram studio;
   studio.play(joined({{kIdle, kGenerate, kIdle},

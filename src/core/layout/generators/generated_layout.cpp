@@ -61,6 +61,22 @@ SensorFrame frame_of(const GenerateRequest& request, const TriMesh& mesh, std::v
   return frame;
 }
 
+/// Returns a point outside of the mesh, over the middle of the touching side.
+dvec3 outside_pad(const SensorFrame& sensor, const Aabb& box) {
+  return box.center() + 2 * box.diagonal() * sensor.pad;
+}
+
+}  // namespace
+
+std::optional<PlacingFrame> frame_on_pad(const SensorFrame& sensor, const MeshIndex& skin) {
+  const dvec3 outside = outside_pad(sensor, skin.mesh().bounds());
+  const auto at = skin_under(skin, outside, -sensor.pad, Beyond::leave_out, "", "");
+  if (!at) return std::nullopt;
+  return PlacingFrame{at->position, sensor.pad, row_direction(sensor, sensor.pad)};
+}
+
+namespace {
+
 /// Returns the frame of the pattern: at the point of the request, or in the middle of the touching side.
 PlacingFrame placing_frame(const GenerateRequest& request, const SensorFrame& sensor, const MeshIndex& skin) {
   const Aabb& box = skin.mesh().bounds();
@@ -70,10 +86,10 @@ PlacingFrame placing_frame(const GenerateRequest& request, const SensorFrame& se
     const double farthest = box.diagonal();
     if (!(at.distance < farthest))
       throw Error("", "at", fmt::format("is {:.3g} m from the skin, which is {:.3g} m large", at.distance, farthest));
+  } else if (const std::optional<PlacingFrame> on_pad = frame_on_pad(sensor, skin)) {
+    return *on_pad;
   } else {
-    const dvec3 outside = box.center() + 2 * box.diagonal() * sensor.pad;
-    const auto hit = skin_under(skin, outside, -sensor.pad, Beyond::leave_out, "", "");
-    at = hit ? *hit : skin.closest_point(outside);
+    at = skin.closest_point(outside_pad(sensor, box));
   }
   PlacingFrame frame;
   frame.center = at.position;

@@ -21,6 +21,10 @@ namespace taxel {
 /// be read, or if no face is left.
 std::vector<int> faces_where(std::string_view conditions, const TriMesh& mesh);
 
+/// Returns the frame of a pattern in the middle of the touching side: at the point of the skin under `sensor.pad`, seen
+/// along it and straight with the sensor. Empty if the mesh has no skin there.
+std::optional<PlacingFrame> frame_on_pad(const SensorFrame& sensor, const MeshIndex& skin);
+
 /// The pattern that a user asks for, and its place.
 struct GenerateRequest {
   std::string kind = "hexagonal";    ///< word of the pattern

@@ -1,6 +1,7 @@
 // Generating taxels: the frame of the pattern on the skin, the preview, and adding the previewed taxels.
 #include "app/studio/nouns/generate/generate_state.h"
 
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include <cmath>
@@ -13,6 +14,7 @@
 #include "core/base/error.h"
 #include "core/base/files.h"
 #include "core/base/text/message.h"
+#include "core/layout/generators/generated_layout.h"
 #include "core/layout/sensor_presets.h"
 
 namespace taxel::ui {
@@ -81,6 +83,18 @@ PatternInputs inputs_of(const DocumentView& document, const GenerateState& gener
   return inputs;
 }
 
+/// Puts the frame on the pad of the layout's frame, or at the middle of the view if there is no skin under the pad.
+void begin_frame_of_pattern(const Viewer& viewer, const Shown& shown, GenerateState& generate) {
+  const MeshIndex& skin = *shown.document.model->skin;
+  if (const auto on_pad = frame_on_pad(shown.document.editing.project->layout.frame, skin)) {
+    generate.frame = *on_pad;
+    return;
+  }
+  const GestureView view = gesture_view(viewer, shown);
+  const auto place = place_under(skin, view.ray_M({0.5 * viewer.view.width, 0.5 * viewer.view.height}));
+  put_frame(shown.document, generate, place ? *place : place_near(skin, view.X_WM.inverse() * viewer.camera().target));
+}
+
 }  // namespace
 
 void toggle_generate(WindowUi& ui, Viewer& viewer, const Shown& shown, ToolState& tool, GenerateState& generate) {
@@ -90,10 +104,7 @@ void toggle_generate(WindowUi& ui, Viewer& viewer, const Shown& shown, ToolState
   generate.open = generate.wants_focus = true;
   if (!generate.sized) size_pattern(generate, shown.document.model->mesh->bounds().diagonal());
   generate.sized = true;
-  const MeshIndex& skin = *shown.document.model->skin;
-  const GestureView view = gesture_view(viewer, shown);
-  const auto place = place_under(skin, view.ray_M({0.5 * viewer.view.width, 0.5 * viewer.view.height}));
-  put_frame(shown.document, generate, place ? *place : place_near(skin, view.X_WM.inverse() * viewer.camera().target));
+  begin_frame_of_pattern(viewer, shown, generate);
 }
 
 void close_generate(GenerateState& generate) {
@@ -148,6 +159,15 @@ bool frame_mouse(WindowUi& ui, const Viewer& viewer, const Shown& shown, Generat
   const bool mine = generate.dragging || clicked;
   if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) generate.dragging = false;
   return mine;
+}
+
+std::string pattern_hint(const Viewer& viewer, const Shown& shown, const GenerateState& generate) {
+  if (!generate.open || !has_frame(generate.pattern) || !can_edit(viewer, shown)) return {};
+  const GestureView view = gesture_view(viewer, shown);
+  const Ray ray = view.ray_M(view.pixel_of(generate.frame.center));
+  const bool is_behind = glm::dot(generate.frame.normal, ray.direction) > 0;
+  return fmt::format("Pattern{}: click the surface to move it   Ctrl+wheel turns   Esc ends",
+                     is_behind ? " on the far side" : "");
 }
 
 void change_kind(GenerateState& generate, std::size_t kind) {

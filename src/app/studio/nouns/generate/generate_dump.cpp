@@ -23,6 +23,7 @@ void dump_generate(const App& app, nlohmann::ordered_json& state) {
   Json json = {{"center", numbers<Json>(g.frame.center)},
                {"normal", numbers<Json>(g.frame.normal)},
                {"turn_deg", g.pattern.turn_deg},
+               {"hint", pattern_hint(*app.viewer, *app.shown, g)},
                {"waiting", g.waiting()},
                {"left_out", g.left_out},
                {"least_distance", nullptr},

@@ -299,6 +299,10 @@ constinit const Feature kGenerate{
             scene.ghosts = app.get<GenerateState>().ghosts;
         },
     .draw_on_view = [](const App& app) { draw_pattern_frame(*app.viewer, *app.shown, app.get<GenerateState>()); },
+    .hint =
+        [](const App& app, std::vector<ViewHint>& lines) {
+          lines.push_back({pattern_hint(*app.viewer, *app.shown, app.get<GenerateState>())});
+        },
     .make_job = studio::make_pattern_job,
     .dump = dump_generate,
 };

@@ -67,8 +67,8 @@ struct GenerateState {
   [[nodiscard]] bool waiting() const { return shown != number; }
 };
 
-/// Opens the panel with the frame at the middle of the view and lengths that suit the mesh. Closes the panel if it is
-/// open.
+/// Opens the panel with lengths that suit the mesh, and with the frame on the pad of the layout's frame, or at the
+/// middle of the view if the mesh has no skin there. Closes the panel if it is open.
 void toggle_generate(WindowUi& ui, Viewer& viewer, const Shown& shown, ToolState& tool, GenerateState& generate);
 /// Closes the panel and discards the previewed taxels.
 void close_generate(GenerateState& generate);
@@ -95,6 +95,9 @@ void change_kind(GenerateState& generate) {
 /// whether the frame used the mouse.
 bool frame_mouse(WindowUi& ui, const Viewer& viewer, const Shown& shown, GenerateState& generate, double x, double y,
                  bool hovered);
+/// Returns the line of the view that says how to move the pattern, and whether it is out of sight behind the mesh.
+/// Empty while the panel is closed, or if no frame places the pattern.
+[[nodiscard]] std::string pattern_hint(const Viewer& viewer, const Shown& shown, const GenerateState& generate);
 /// Turns the pattern by 5 degrees per notch of Ctrl+wheel.
 void turn_pattern(GenerateState& generate, double notches);
 
