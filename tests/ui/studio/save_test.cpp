@@ -52,6 +52,18 @@ TEST(Save, WritesAProjectThatOpensAgain) {
   EXPECT_EQ(Json::parse(file_text(file))["layout"], Json::parse(bytes)["layout"]) << "Ctrl+S writes where it is";
 }
 
+TEST(Save, WritesALayoutIfTheNameSaysSo) {
+  const StudioProgram studio;
+  const std::string file = (studio.folder() / "mine.taxels.json").string();
+  studio.play(joined({kEdit, in_dialog("s", file), {dump("named.json")}}), {kLayoutFile});
+  EXPECT_FALSE(std::filesystem::exists(file + ".taxelproj"));
+  ASSERT_TRUE(std::filesystem::exists(file));
+  EXPECT_DOUBLE_EQ(radius_of_3(Json::parse(file_text(file))), 3e-3);
+  const Json named = studio.state("named.json");
+  EXPECT_NE(named["messages"].dump().find("Exported " + file), std::string::npos) << named["messages"];
+  EXPECT_TRUE(named["history"]["dirty"]) << "the project is not saved";
+}
+
 TEST(Save, GivesTheSameBytesAfterExportImportAndExport) {
   const StudioProgram studio;
   const std::string first = (studio.folder() / "one.taxels.json").string();

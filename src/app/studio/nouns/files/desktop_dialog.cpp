@@ -34,6 +34,8 @@ Command file_command(const FileDialog& dialog, const std::vector<std::string>& g
   if (dialog.task == FileTask::compare_layout) return CompareLayout{path};
   if (dialog.task == FileTask::save_study) return SaveStudy{path};
   if (dialog.task == FileTask::open_study) return OpenStudy{path};
+  if (dialog.task == FileTask::save_project && names_format(path))
+    return ExportFile{FileTask::export_layout, path, path == dialog.exists, dialog.width, dialog.height};
   const std::string extension = row_of(dialog.task).extension;
   const bool complete = path.ends_with(extension) || (dialog.task == FileTask::export_layout && names_format(path)) ||
                         (dialog.task == FileTask::export_plot && path.ends_with(".pdf"));
