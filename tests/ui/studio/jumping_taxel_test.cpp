@@ -56,10 +56,10 @@ TableStep largest_step(const std::filesystem::path& file) {
   return largest;
 }
 
-/// Returns whether a message with a text is on the line.
+/// Returns whether a message with a text is in the list.
 bool has_message(const Json& state, const std::string& text) {
   for (const Json& message : state["messages"])
-    if (message["shown"] && message["text"].get<std::string>().find(text) != std::string::npos) return true;
+    if (message["text"].get<std::string>().find(text) != std::string::npos) return true;
   return false;
 }
 
@@ -84,7 +84,22 @@ TEST(JumpingTaxel, PausesAtTheLargestStepOfTheRecordedRun) {
   const auto change_at_jump = [&](const char* curve) {
     return std::abs(close_up[curve][middle].get<double>() - close_up[curve][middle - 1].get<double>());
   };
+  for (const char* curve : {"readings", "exact"})
+    for (const Json& y : close_up[curve]) {
+      EXPECT_GT(y.get<double>(), close_up["y"][0].get<double>()) << curve << " is inside the plot";
+      EXPECT_LT(y.get<double>(), close_up["y"][1].get<double>()) << curve << " is inside the plot";
+    }
   EXPECT_LT(change_at_jump("exact"), 0.2 * change_at_jump("readings")) << "the contact itself hardly changes";
+}
+
+TEST(JumpingTaxel, SaysThatItSearches) {
+  const StudioProgram studio;
+  studio.play({kIdle, key("k", kCtrl), kIdle, type("jumping"), kIdle, key("Enter"),
+               R"({"do": "wait_for", "pointer": "/runs_ahead", "equals": true})", dump("searching.json"),
+               R"({"do": "wait_for", "pointer": "/runs_ahead", "equals": false})", dump("found.json")});
+  EXPECT_EQ(studio.state("searching.json")["runs_ahead_hint"].get<std::string>().find("Searching for the largest step"),
+            0U);
+  EXPECT_EQ(studio.state("found.json")["runs_ahead_hint"], "");
 }
 
 TEST(JumpingTaxel, IsFixedAsTheSentenceSaysAtTheSameStep) {

@@ -23,6 +23,10 @@ void add_message(Messages& messages, Severity severity, std::string text, double
 }
 
 void end_messages(Messages& messages, Holds holds) {
+  if (holds == Holds::for_run) {
+    std::erase_if(messages, [](const Message& message) { return message.holds == Holds::for_run; });
+    return;
+  }
   for (Message& message : messages)
     if (message.holds == holds) message.toast = false;
 }

@@ -13,6 +13,7 @@ enum class Holds {
   always,                ///< it reports an event
   for_document,          ///< until another document is open
   until_edit,            ///< until an edit succeeds, or another document is open
+  for_run,               ///< until another run begins or an edit succeeds; then it is removed
   while_paused,          ///< until the displayed step moves again, or another document is open
   while_unrunnable,      ///< until the layout can be simulated
   while_unkept,          ///< until unsaved edits are kept
@@ -39,7 +40,8 @@ using Messages = std::vector<Message>;
 void add_message(Messages& messages, Severity severity, std::string text, double now, Holds holds = Holds::always,
                  bool is_shown = true);
 
-/// Takes the messages that are not true any more from the line. They stay in the list.
+/// Takes the messages that are not true any more from the line. They stay in the list, except findings about a run:
+/// they would be read as if they were about the next one.
 void end_messages(Messages& messages, Holds holds);
 
 }  // namespace taxel::ui

@@ -345,7 +345,8 @@ void Studio::handle_events(const HostEvents& events) {
   const double now = ImGui::GetTime();
   const Opened* const opened = newest<Opened>(events);
   if (opened != nullptr && opened->another_document)
-    for (const ui::Holds holds : {ui::Holds::for_document, ui::Holds::until_edit, ui::Holds::while_paused})
+    for (const ui::Holds holds :
+         {ui::Holds::for_document, ui::Holds::until_edit, ui::Holds::for_run, ui::Holds::while_paused})
       ui::end_messages(app_.get<ui::Messages>(), holds);
   for (const HostEvent& event : events) {
     const auto* message = std::get_if<HostMessage>(&event);

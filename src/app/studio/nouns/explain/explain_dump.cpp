@@ -22,6 +22,7 @@ void dump_explanation(const App& app, nlohmann::ordered_json& state) {
       shown_explanation(*app.viewer, *app.shown, app.get<ExplainState>(), is_in_use(kExplain, app));
   state["explain"] = nullptr;
   state["runs_ahead"] = app.get<RunAhead>().phase != RunAhead::Phase::none;
+  state["runs_ahead_hint"] = run_ahead_hint(*app.shown, app.get<RunAhead>());
   if (found == nullptr) return;
   Json json = Json::parse(explanation_to_json(*found));
   json["step"] = app.shown->run.frame->step;

@@ -479,10 +479,13 @@ constinit const Feature kExplain{
     .analyse = {.tab = 5, .question = "Why did a reading jump?", .answer = answer_why_it_jumped, .magnifies = true},
     .end_panels =
         [](App& app) {
+          end_message_of_run(app);
           answer_at_first_sight(app);
           if (advance_run_ahead(*app.ui, *app.shown, app.get<RunAhead>())) show_result(app);
         },
     .mark = mark_explained,
+    .hint = [](const App& app,
+               std::vector<ViewHint>& lines) { lines.push_back({run_ahead_hint(*app.shown, app.get<RunAhead>())}); },
     .make_job = studio::make_explain_job,
     .dump = dump_explanation,
 };

@@ -43,8 +43,9 @@ struct ExplainState {
   ExplainedPtr explained;                ///< explanation of the displayed or an earlier step, or null
   std::optional<PolygonNumber> polygon;  ///< polygon of `step` selected in table, scatter plot and view
   std::uint64_t step = 0;
-  bool wants_focus = false;   ///< whether the panel comes to the front in the next frame
-  bool was_in_front = false;  ///< whether the panel was in front in ANALYSE in the last frame
+  bool wants_focus = false;          ///< whether the panel comes to the front in the next frame
+  bool was_in_front = false;         ///< whether the panel was in front in ANALYSE in the last frame
+  std::uint64_t run_of_message = 0;  ///< SimFrame::runs of the run that the message about the largest step is about
 };
 
 /// The step of a run made at once that is displayed at the end.
@@ -95,6 +96,12 @@ void show_largest_change(WindowUi& ui, RunAhead& ahead);
 /// plot magnifies the change, with a message.
 void show_result(App& app);
 
+/// Removes the message about the largest step when another run has begun.
+void end_message_of_run(App& app);
+
+/// Returns the line of the view about a run that is made at once: its purpose and its progress. Empty if there is none.
+[[nodiscard]] std::string run_ahead_hint(const Shown& shown, const RunAhead& ahead);
+
 /// Displays the largest change of the recorded steps, with its taxel selected and magnified in the plot.
 void answer_why_it_jumped(App& app);
 /// Does so when the panel comes to the front in ANALYSE while no taxel is selected.
@@ -120,8 +127,8 @@ void apply_remedy(WindowUi& ui, const Shown& shown, RunAhead& ahead, const Remed
 
 /// The panel that explains a reading: diagnosis, samples, polygons, other numbers of samples, and where the force goes.
 extern const Feature kExplain;
-/// Sets "runs_ahead", whether a run is made at once, and "explain": what `taxel explain --json` prints, with step,
-/// selected polygon and ghost, or null.
+/// Sets "runs_ahead", whether a run is made at once, its line in the view, and "explain": what `taxel explain --json`
+/// prints, with step, selected polygon and ghost, or null.
 void dump_explanation(const App& app, nlohmann::ordered_json& state);
 
 }  // namespace taxel::ui

@@ -110,15 +110,16 @@ std::string largest_change_text(const SimFrame& frame, const ReadingChange& chan
   const NumberPair readings = pair_in_unit(change.before, change.after, unit);
   const double before = lanes.sensor(change.row - 1, sensor).force, after = lanes.sensor(change.row, sensor).force;
   const bool is_constant = std::abs(after - before) <= frame.breakpoints.equal_force * std::max(before, after);
-  const double peak = largest_reading(lanes, change.reading);
+  const double peak = largest_reading(lanes, change.reading), size = std::abs(change.after - change.before);
+  const double of_sensor = lanes.sensor(lanes.rows() - 1, sensor).largest_reading;
   const std::string force = fmt::format("the force {} ({} %)", is_constant ? "is constant" : "changes",
                                         rounded_change(before > 0 ? 100 * (after / before - 1) : 0.0, 2, 2));
   return fmt::format(
-      "The largest step of the run: taxel {}{} {} from {} to {} at {:.6g} s, {:.3g} % of its largest "
-      "reading, while {}.",
+      "The largest step of the run: taxel {}{} {} from {} to {} at {:.6g} s, {:.3g} % of this taxel's largest reading "
+      "({:.3g} % of the sensor's, by which the plot divides), while {}.",
       taxel.id, taxel.name.empty() ? "" : " (" + taxel.name + ")", change.after < change.before ? "falls" : "rises",
-      readings.first, readings.second, lanes.steps[change.row].time,
-      peak > 0 ? 100 * std::abs(change.after - change.before) / peak : 0.0, force);
+      readings.first, readings.second, lanes.steps[change.row].time, peak > 0 ? 100 * size / peak : 0.0,
+      of_sensor > 0 ? 100 * size / of_sensor : 0.0, force);
 }
 
 void show_change(App& app, const ReadingChange& change, bool with_message) {
@@ -136,7 +137,8 @@ void show_change(App& app, const ReadingChange& change, bool with_message) {
   if (!with_message) return;
   add_message(app.get<Messages>(), Severity::warning,
               largest_change_text(frame, change, static_cast<std::size_t>(sensor), taxel), ImGui::GetTime(),
-              Holds::until_edit);
+              Holds::for_run);
+  app.get<ExplainState>().run_of_message = frame.runs;
 }
 
 }  // namespace
@@ -149,6 +151,25 @@ void show_result(App& app) {
   const std::optional<ReadingChange> change = is_same ? std::nullopt : largest_change(*frame.history.lanes);
   if (change) show_change(app, *change, true);
   ahead = {};
+}
+
+void end_message_of_run(App& app) {
+  std::uint64_t& run = app.get<ExplainState>().run_of_message;
+  if (run == 0 || !app.shown->run.frame || app.shown->run.frame->runs == run) return;
+  end_messages(app.get<Messages>(), Holds::for_run);
+  run = 0;
+}
+
+std::string run_ahead_hint(const Shown& shown, const RunAhead& ahead) {
+  using Phase = RunAhead::Phase;
+  if (ahead.phase == Phase::none) return {};
+  const bool is_same = ahead.shows == ShownAfterRun::same_step;
+  const std::string purpose =
+      is_same ? "Making the run again with the changed layout" : "Searching for the largest step of the run";
+  if (ahead.phase != Phase::runs || !shown.run.frame) return purpose + ": the samples are prepared...";
+  const std::uint64_t made = shown.run.frame->history.last;
+  return is_same ? fmt::format("{}: {} of {} steps...", purpose, made, ahead.until)
+                 : fmt::format("{}: {} steps are made...", purpose, made);
 }
 
 void answer_why_it_jumped(App& app) {

@@ -38,7 +38,8 @@ void edit_document(Host& host, const std::function<void(EditSession&)>& body, bo
     body(host.edits());
     host.app.get<ui::ToolState>().problem.clear();
     host.app.ui->fields.refused.reset();
-    ui::end_messages(host.app.get<ui::Messages>(), ui::Holds::until_edit);
+    for (const ui::Holds holds : {ui::Holds::until_edit, ui::Holds::for_run})
+      ui::end_messages(host.app.get<ui::Messages>(), holds);
   } catch (const Error& error) {
     if (from) {
       host.app.ui->fields.refused = {*from, shown_message(error), host.app.viewer->selection.taxels};
