@@ -103,6 +103,10 @@ void draw_taxel_fields(WindowUi& ui, Selection& selection, const Project& projec
     ask_for(ui, taxels, [&](TaxelChange& change, const Taxel&) { change.density = *density; });
   }
   show_refusal(ui, kDensityLabel);
+  // A zero below the number of the taxel's samples would look like no samples.
+  if (std::all_of(densities.begin(), densities.end(), [](double density) { return density == 0; }))
+    property("", fmt::format("0: the layout's, {} /mm\u00b2",
+                             shown_number(project.layout.sampling.density, kSamplesPerArea)));
 }
 
 namespace {

@@ -35,6 +35,9 @@ bool has_names(const Layout& layout) {
   return std::ranges::any_of(layout.taxels, [](const Taxel& taxel) { return !taxel.name.empty(); });
 }
 
+constexpr const char* kNoTaxels =
+    "No taxels yet. Generate (Ctrl+G) adds a pattern; Place, or Ctrl+click on the surface, adds one.";
+
 /// Returns the largest reading of a sensor in the displayed step.
 double largest_now(const SensorShown& sensor) {
   const std::vector<double>& readings = sensor.step->readings;
@@ -444,7 +447,7 @@ void draw_taxel_table(WindowUi& ui, Viewer& viewer, const Shown& shown, TableSta
       leave_cell(table_state, *layout);
     } else {
       ImGui::PushTextWrapPos(0);
-      ImGui::TextDisabled("%s", model                     ? "No taxels yet. Ctrl+click the surface to add one."
+      ImGui::TextDisabled("%s", model                     ? kNoTaxels
                                 : shown.document.is_scene ? "No geom of the scene has taxels."
                                                           : shown.empty_text());
       ImGui::PopTextWrapPos();

@@ -206,9 +206,16 @@ void draw_tool(const App& app) {
   draw_area(*app.ui, *app.viewer, tool, list);
 }
 
+/// Returns the line about several selected taxels, which every gesture changes together. Empty for fewer.
+std::string hint_of_selection(const App& app) {
+  const std::size_t count = app.viewer->selection.taxels.size();
+  if (count < 2 || !can_edit(*app.viewer, *app.shown) || app.get<GenerateState>().open) return {};
+  return fmt::format("{} taxels are selected: a drag moves them all   Click selects one, Esc none", count);
+}
+
 void add_hints(const App& app, std::vector<ViewHint>& lines) {
   const ToolState& tool = app.get<ToolState>();
-  lines.push_back({hint_of(tool)});
+  lines.push_back({tool.tool == Tool::none ? hint_of_selection(app) : hint_of(tool)});
   if (app.viewer->mode == Mode::layout)
     lines.push_back({tool.problem.empty() ? app.shown->document.editing.problem : tool.problem, true});
 }
