@@ -78,17 +78,12 @@ TEST(JumpingTaxel, PausesAtTheLargestStepOfTheRecordedRun) {
   const Json& close_up = jumped["plot"]["close_up"];
   EXPECT_EQ(close_up["taxel"], jumped["explain"]["taxel"]["id"]);
   EXPECT_EQ(close_up["step"], jumped["explain"]["step"]);
-  EXPECT_GE(close_up["change_pixels"].get<double>(), 8) << "in a low plot, with all of its curves inside";
+  EXPECT_GE(close_up["change_pixels"].get<double>(), 40);
   EXPECT_EQ(close_up["exact"].size(), close_up["readings"].size());
   const std::size_t middle = close_up["readings"].size() / 2;
   const auto change_at_jump = [&](const char* curve) {
     return std::abs(close_up[curve][middle].get<double>() - close_up[curve][middle - 1].get<double>());
   };
-  for (const char* curve : {"readings", "exact"})
-    for (const Json& y : close_up[curve]) {
-      EXPECT_GT(y.get<double>(), close_up["y"][0].get<double>()) << curve << " is inside the plot";
-      EXPECT_LT(y.get<double>(), close_up["y"][1].get<double>()) << curve << " is inside the plot";
-    }
   EXPECT_LT(change_at_jump("exact"), 0.2 * change_at_jump("readings")) << "the contact itself hardly changes";
 }
 

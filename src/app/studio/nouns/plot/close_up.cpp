@@ -12,10 +12,10 @@
 
 namespace taxel::ui {
 
-StepRange close_up_steps(const HistoryLanes& lanes, const PlotCloseUp& close_up, std::uint64_t around) {
+StepRange close_up_steps(const HistoryLanes& lanes, const PlotCloseUp& close_up) {
   const std::uint64_t first = lanes.steps.front().step, last = lanes.steps[lanes.rows() - 1].step;
   const std::uint64_t middle = std::clamp(close_up.step, first, last);
-  return {middle - std::min(middle - first, around), middle + std::min(last - middle, around)};
+  return {middle - std::min(middle - first, kCloseUpSteps), middle + std::min(last - middle, kCloseUpSteps)};
 }
 
 std::optional<std::size_t> reading_index(const std::vector<SensorShown>& sensors, const TaxelKey& key) {
@@ -64,24 +64,25 @@ CurvePoints part_of(const StepCurve& curve, double from, double to, double scale
   return part;
 }
 
-/// Sets the vertical ends of a view, so that all of its curves are inside.
-void fit_height(CloseUpView& view) {
+/// Sets the vertical ends of a view, see view_close_up().
+void fit_height(CloseUpView& view, double plot_height) {
   constexpr double kRoom = 0.08;  // above and below the curves, as a fraction of their height
   double low = std::min(view.from, view.to), high = std::max(view.from, view.to);
+  double change = high - low;
+  // After a remedy the former step is the larger one, and both are to be compared.
+  const std::vector<double>& before = view.before.y;
+  for (std::size_t i = 1; i < before.size(); ++i) change = std::max(change, std::abs(before[i] - before[i - 1]));
   for (const CurvePoints* curve : {&view.readings, &view.exact, &view.before})
     for (const double y : curve->y)
       if (std::isfinite(y)) low = std::min(low, y), high = std::max(high, y);
   const double room = high > low ? kRoom * (high - low) : std::max(1e-3 * std::abs(high), 1e-9);
-  view.bounds.y_low = low - room, view.bounds.y_high = high + room;
-}
-
-/// Returns the height of the largest change in a view: after a remedy, that of the former step, with which the change
-/// is compared [pixels].
-double largest_change_height(const CloseUpView& view, double plot_height) {
-  double change = std::abs(view.to - view.from);
-  const std::vector<double>& before = view.before.y;
-  for (std::size_t i = 1; i < before.size(); ++i) change = std::max(change, std::abs(before[i] - before[i - 1]));
-  return plot_height * change / (view.bounds.y_high - view.bounds.y_low);
+  low -= room, high += room;
+  const double most = change * std::max(1 + 2 * kRoom, plot_height / kChangeHeight);  // in a low plot all of the change
+  if (change > 0 && high - low > most) {
+    const double middle = std::clamp(0.5 * (view.from + view.to), low + 0.5 * most, high - 0.5 * most);
+    low = middle - 0.5 * most, high = middle + 0.5 * most;
+  }
+  view.bounds.y_low = low, view.bounds.y_high = high;
 }
 
 }  // namespace
@@ -95,29 +96,21 @@ std::optional<CloseUpView> view_close_up(const RunView& run, const std::vector<S
       close_up.step <= lanes->steps.front().step || close_up.step > lanes->steps[lanes->rows() - 1].step)
     return std::nullopt;
   const bool by_travel = run.by_travel();
-  const bool is_read = exact && exact->of == close_up && exact->scene == run.frame->scene;
-  const auto view_around = [&](std::uint64_t steps) {
-    const StepCurve recorded = recorded_curve(*lanes, *reading, close_up_steps(*lanes, close_up, steps), by_travel);
-    CloseUpView view;
-    view.bounds.x_low = recorded.x.front(), view.bounds.x_high = recorded.x.back();
-    const auto visible = [&](const StepCurve& curve) {
-      return part_of(curve, view.bounds.x_low, view.bounds.x_high, scale);
-    };
-    view.readings = visible(recorded);
-    if (is_read && exact->by_travel == by_travel) view.exact = visible(exact->curve);
-    if (before && before->key == close_up.key && before->by_travel == by_travel) view.before = visible(before->curve);
-    const StepCurve change = recorded_curve(*lanes, *reading, {close_up.step - 1, close_up.step}, by_travel);
-    view.from = scale * change.readings.front(), view.to = scale * change.readings.back();
-    view.x_from = change.x.front(), view.x_to = change.x.back();
-    fit_height(view);
-    return view;
-  };
-  CloseUpView view = view_around(kCloseUpSteps);
-  for (std::uint64_t steps = kCloseUpSteps - kFewestCloseUpSteps;
-       steps >= kFewestCloseUpSteps && largest_change_height(view, plot_height) < kChangeHeight;
-       steps -= kFewestCloseUpSteps)
-    view = view_around(steps);
+  const StepCurve recorded = recorded_curve(*lanes, *reading, close_up_steps(*lanes, close_up), by_travel);
+  CloseUpView view;
+  view.bounds.x_low = recorded.x.front(), view.bounds.x_high = recorded.x.back();
   if (!(view.bounds.x_high > view.bounds.x_low)) return std::nullopt;  // the object of a sweep waits
+  const auto visible = [&](const StepCurve& curve) {
+    return part_of(curve, view.bounds.x_low, view.bounds.x_high, scale);
+  };
+  view.readings = visible(recorded);
+  const bool is_read = exact && exact->of == close_up && exact->scene == run.frame->scene;
+  if (is_read && exact->by_travel == by_travel) view.exact = visible(exact->curve);
+  if (before && before->key == close_up.key && before->by_travel == by_travel) view.before = visible(before->curve);
+  const StepCurve change = recorded_curve(*lanes, *reading, {close_up.step - 1, close_up.step}, by_travel);
+  view.from = scale * change.readings.front(), view.to = scale * change.readings.back();
+  view.x_from = change.x.front(), view.x_to = change.x.back();
+  fit_height(view, plot_height);
   return view;
 }
 

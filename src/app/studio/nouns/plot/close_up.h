@@ -31,9 +31,9 @@ struct PlotCloseUp {
   bool operator==(const PlotCloseUp&) const = default;
 };
 
-/// Largest and smallest number of steps before and after a change that a close-up displays.
-inline constexpr std::uint64_t kCloseUpSteps = 30, kFewestCloseUpSteps = 5;
-/// Least height of the change in a close-up, as far as fewer steps give it [pixels at scale 1].
+/// Number of steps before and after a change that a close-up displays.
+inline constexpr std::uint64_t kCloseUpSteps = 30;
+/// Height of the change in a close-up [pixels at scale 1].
 inline constexpr double kChangeHeight = 48;
 
 /// Readings of one taxel in steps of a run.
@@ -61,9 +61,8 @@ struct EarlierCurve {
 };
 using EarlierCurvePtr = std::shared_ptr<const EarlierCurve>;
 
-/// Returns the recorded steps from `around` before the change to `around` after it. Needs a row.
-[[nodiscard]] StepRange close_up_steps(const HistoryLanes& lanes, const PlotCloseUp& close_up,
-                                       std::uint64_t around = kCloseUpSteps);
+/// Returns the recorded steps that a close-up displays. Needs a row.
+[[nodiscard]] StepRange close_up_steps(const HistoryLanes& lanes, const PlotCloseUp& close_up);
 
 /// Returns the index of a taxel's reading in the rows of a run; empty if there is no such taxel.
 [[nodiscard]] std::optional<std::size_t> reading_index(const std::vector<SensorShown>& sensors, const TaxelKey& key);
@@ -85,8 +84,8 @@ struct CloseUpView {
   [[nodiscard]] double change_height(double plot_height) const;
 };
 
-/// Returns the view of a close-up in a plot of this height, in pixels at scale 1. All of its curves are inside. It has
-/// fewer steps if the change would be lower than kChangeHeight in kCloseUpSteps. `scale` converts SI units to the
+/// Returns the view of a close-up in a plot of this height, in pixels at scale 1. It has all its curves, unless the
+/// change would be lower than kChangeHeight; then it has the change in its middle. `scale` converts SI units to the
 /// vertical axis. Empty if the taxel or the steps are not recorded.
 [[nodiscard]] std::optional<CloseUpView> view_close_up(const RunView& run, const std::vector<SensorShown>& sensors,
                                                        const PlotCloseUp& close_up, const ExactCurvePtr& exact,

@@ -36,7 +36,6 @@ Json close_up_json(const PlotState& plot) {
           {"y", {bounds.y_low, bounds.y_high}},
           {"readings", view.readings.y},
           {"exact", view.exact.y},
-          {"y", {view.bounds.y_low, view.bounds.y_high}},
           {"before", view.before.y}};
 }
 
