@@ -308,10 +308,11 @@ gl::RgbImage facing_picture(SceneRenderer& renderer, double reading, int taxel, 
 constexpr int kHalfSide = 20;  ///< half of the side of the square in the middle of a disc [pixel]
 
 /// Returns the area of that square [pixel] that the rings of other taxels hide at most: the length of each ring in the
-/// square times the width of its line (1.5 pixels), of the casing at the inner side (1) and of both smooth edges (0.5).
-/// Rings on the far side count if the skin is transparent.
+/// square times the width of its line (1.5 pixels), of the casing at the inner side (1) and of two smooth edges (0.5
+/// each), and another half, because a pixel that is hidden in part counts whole. Rings on the far side count if the
+/// skin is transparent.
 double area_of_rings(const SceneInput& input, int taxel, bool transparent) {
-  constexpr double kRingWidth = 1.5 + 1 + 0.5;
+  constexpr double kRingWidth = 1.5 + 1 + 2 * 0.5 + 0.5;
   const SensorModel& model = *input.frame->scene->sensors[0];
   const Pose& X_WM = input.frame->sensors[0].X_WM;
   const std::vector<Taxel>& taxels = model.layout.taxels;

@@ -83,9 +83,11 @@ std::string without_axis(std::string label) {
 
 TEST(Palette, KnowsTheFieldsThatTheInspectorDraws) {
   const StudioProgram studio;
+  std::vector<std::string> tall = tall_window(studio);
+  tall[3] = "1500x3400";  // with all fields of the calibration
   studio.play({kIdle, kLayoutMode, kIdle, click(taxel(3)), kIdle, press("From a data sheet"), kIdle,
                press("Calibrated"), kIdle, dump("fields.json")},
-              tall_window(studio));
+              tall);
   std::set<std::string> drawn, fields, known;
   const Json state = studio.state("fields.json");
   for (const Json& widget : state["widgets"]) {

@@ -16,7 +16,7 @@ const std::regex kWithoutUnit(
     "Filter .*|Name|Layout name|Object mesh|Unit of values|Chosen sensor|"
     "Taxel \\d+ (Name|r|x|y|z|nx|ny|nz)|(Time|X|Y|Z) \\d+|"
     "Id|Seed|Calibration seed|Density seed|Bristles|Friction|Poisson's ratio|Rows|Columns|Taxels|Count|Turns|Vary "
-    "values.*|Kept steps|Header lines|(Pad|Distal|Normal) [XYZ]|Actuator .*|Bits|Gain");
+    "values.*|Kept steps|Header lines|(Pad|Distal|Normal) [XYZ]|Actuator .*|Bits|Gain|Threshold");
 
 /// Returns the texts of a dump that are in the row of a widget: in it or at its left, in the same panel.
 std::string row_text(const Json& state, const Json& widget) {

@@ -63,14 +63,6 @@ TEST(FieldColoring, ChangesNoOtherTaxelIfOneIsAdded) {
   EXPECT_EQ(before, after);
 }
 
-TEST(FieldColoring, ChangesNoOtherTaxelIfOneIsDeleted) {
-  Layout layout = grid_layout(5, 0.010, 0.003);  // no fields meet
-  std::vector<int> before = color_fields(layout, kColors);
-  layout.taxels.erase(layout.taxels.begin() + 3);
-  before.erase(before.begin() + 3);
-  EXPECT_EQ(color_fields(layout, kColors), before) << "the colour follows the id";
-}
-
 TEST(FieldColoring, RepeatsAColourFarAwayIfAllFieldsMeet) {
   const Layout layout = grid_layout(12, 0.001, 0.1);  // 144 taxels, each a neighbour of all others
   const std::vector<int> color_of = color_fields(layout, kColors);

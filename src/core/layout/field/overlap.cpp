@@ -133,11 +133,9 @@ std::vector<int> color_fields(const Layout& layout, int colors) {
       double& least = nearest[static_cast<std::size_t>(color_of[other])];
       if (apart < balls[k].radius + balls[other].radius) least = std::min(least, apart);
     });
-    const int own = layout.taxels[k].id % colors;  // a deleted taxel does not change the colours of the others
-    const auto first = static_cast<std::size_t>(own < 0 ? own + colors : own);
-    std::size_t best = first;
+    auto best = static_cast<std::size_t>(k % static_cast<std::size_t>(colors));
     for (std::size_t step = 1; step < nearest.size() && nearest[best] < kNobody; ++step) {
-      const std::size_t next = (first + step) % nearest.size();
+      const std::size_t next = (k + step) % nearest.size();
       if (nearest[next] > nearest[best]) best = next;
     }
     color_of[k] = static_cast<int>(best);
