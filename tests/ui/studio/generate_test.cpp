@@ -117,7 +117,7 @@ TEST(Generate, LeavesTheGizmoOfTheViewToClicksWithEveryTool) {
       "[" + std::to_string(rect[0].get<double>() + 93) + ", " + std::to_string(rect[3].get<double>() - 59) + "]";
   Lines script;
   const std::vector<std::pair<std::string, std::string>> tools{
-      {"none", ""}, {"generate", kGenerate}, {"brush", key("q")}, {"probe", key("x")}};
+      {"none", ""}, {"generate", kGenerate}, {"brush", key("q")}};
   for (const auto& [name, take] : tools) {
     script.insert(script.end(), {kIdle, front, kIdle});
     if (!take.empty()) script.insert(script.end(), {take, kIdle});

@@ -138,8 +138,10 @@ TEST_F(MenuKeysTest, WalksIntoSubmenusAndBack) {
   press(ImGuiKey_F);
   for (int i = 0; i < 40 && !is_listed("Export layout..."); ++i) {
     press(ImGuiKey_DownArrow);
-    if (app.get<MenuKeys>().on_submenu) press(ImGuiKey_RightArrow);
+    if (!app.get<MenuKeys>().on_submenu) continue;
+    press(ImGuiKey_RightArrow);
     ASSERT_EQ(menu(), "File") << "Right opens the submenu of the marked entry";
+    if (!is_listed("Export layout...")) press(ImGuiKey_LeftArrow);
   }
   ASSERT_TRUE(is_listed("Export layout..."));
   press(ImGuiKey_LeftArrow);

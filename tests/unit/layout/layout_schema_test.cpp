@@ -80,6 +80,8 @@ TEST(LayoutSchema, HasTheReadersKeysAndDefaults) {
   Json& material = described["properties"]["material"]["properties"];
   EXPECT_EQ(material["faces"]["default"], std::string(to_word(layout.material.faces)));  // as shear
   material.erase("faces");
+  EXPECT_EQ(material["law"]["default"], "linear");  // as shear
+  material.erase("law");
   for (const char* key : {"tangential_stiffness", "bristles"}) {  // as shear
     EXPECT_EQ(material[key]["default"], Json(std::string_view(key) == "bristles" ? 1000 : 0)) << key;
     material.erase(key);

@@ -44,20 +44,16 @@ TEST(TurnPattern, TurnsFiveDegreesPerNotch) {
   EXPECT_EQ(generate.pattern.turn_deg, -175) << "beyond half a turn";
 }
 
-TEST(OpenGenerate, PutsTheFrameUnderTheMiddleOfTheView) {
-  GenerateBall ball;
-  ball.toggle();
-  const PlacingFrame& frame = ball.generate.frame;
-  EXPECT_LT(glm::distance(frame.center, dvec3(test::kBallRadius, 0, 0)), 1e-6);
-  EXPECT_GT(frame.normal.x, 0.99);
-  EXPECT_NEAR(glm::dot(frame.along_row, frame.normal), 0, 1e-12);
-}
-
-TEST(OpenGenerate, PutsTheFrameOnTheSkinNearestToTheTarget) {
-  GenerateBall ball;
-  ball.app.viewer->camera().target = {0, 0.05, 0};  // the middle of the view shows the background
-  ball.toggle();
-  EXPECT_LT(glm::distance(ball.generate.frame.center, dvec3(0, test::kBallRadius, 0)), 1e-6);
+TEST(OpenGenerate, PutsTheFrameOnThePadFromAnyView) {
+  for (const dvec3 target : {dvec3(0), dvec3(0, 0.05, 0)}) {
+    GenerateBall ball;
+    ball.app.viewer->camera().target = target;
+    ball.toggle();
+    const PlacingFrame& frame = ball.generate.frame;
+    EXPECT_LT(glm::distance(frame.center, dvec3(0, -test::kBallRadius, 0)), 1e-6) << "the pad of a new layout is -y";
+    EXPECT_LT(frame.normal.y, -0.99);
+    EXPECT_NEAR(glm::dot(frame.along_row, frame.normal), 0, 1e-12);
+  }
 }
 
 TEST(OpenGenerate, SetsLengthsInHalfMillimetres) {
