@@ -90,10 +90,14 @@ void add_calibration(std::vector<PanelPart>& parts) {
     const std::string_view key = field.spec.key;
     if (key == "curve" || key == "taxels" || key == "response" || key == "crosstalk_matrix") return;  // files only
     PanelPart part{field.spec.label, "Calibration", field.spec.help, kLayout, why_no_settings};
-    if (key == "quantisation") part.widget = "Bits";
+    part.instead = "Calibrated";
+    if (key == "quantisation") {
+      part.widget = "Step";
+      parts.push_back(part);
+      part.label = part.widget = "Bits";
+    }
     if (key == "rate") part.widget = "Rate (Hz)";
     if (key == "latency") part.widget = "Latency (s)";
-    part.instead = "Calibrated";
     parts.push_back(std::move(part));
   });
 }
