@@ -257,7 +257,7 @@ using Key = std::tuple<ShapeType, std::array<double, 3>, double, FieldKind, Face
                        std::vector<double>>;
 
 Key key_of(const Shape& shape, const Material& m) {
-  return {shape.type, {shape.size.x, shape.size.y, shape.size.z},          shape.resolution,  m.field,
+  return {shape.type, {shape.size.x, shape.size.y, shape.size.z},          shape.resolution, m.field,
           m.faces,    {m.modulus, m.thickness, m.dissipation, m.friction}, numbers_of(m.law)};
 }
 

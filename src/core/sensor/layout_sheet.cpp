@@ -143,13 +143,13 @@ void append_settings(std::string& html, const SensorModel& model) {
                   layout.readout.method == ReadingMethod::exact ? ", exact" : "", to_word(layout.readout.misses),
                   to_word(layout.readout.ray), kMillimetres * model.max_depth));
   const Material& m = layout.material;
-  row("material", fmt::format("{}, modulus {:g} kPa, thickness {:g} mm, dissipation {:g} s/m, friction {:g}{}{}{}",
-                              to_word(m.field), m.modulus / 1e3, kMillimetres * m.thickness, m.dissipation, m.friction,
-                              m.law.is_linear() ? "" : ", " + to_text(m.law),
-                              m.faces == FaceRule::all ? ", all faces count" : "",
-                              m.tangential_stiffness > 0 ? fmt::format(", sticks with {:g} Pa/m by {} bristles",
-                                                                       m.tangential_stiffness, m.bristles)
-                                                         : ""));
+  row("material",
+      fmt::format("{}, modulus {:g} kPa, thickness {:g} mm, dissipation {:g} s/m, friction {:g}{}{}{}",
+                  to_word(m.field), m.modulus / 1e3, kMillimetres * m.thickness, m.dissipation, m.friction,
+                  m.law.is_linear() ? "" : ", " + to_text(m.law), m.faces == FaceRule::all ? ", all faces count" : "",
+                  m.tangential_stiffness > 0
+                      ? fmt::format(", sticks with {:g} Pa/m by {} bristles", m.tangential_stiffness, m.bristles)
+                      : ""));
   row("frame", fmt::format("distal [{:.3g}, {:.3g}, {:.3g}], pad [{:.3g}, {:.3g}, {:.3g}]", layout.frame.distal.x,
                            layout.frame.distal.y, layout.frame.distal.z, layout.frame.pad.x, layout.frame.pad.y,
                            layout.frame.pad.z));

@@ -96,7 +96,8 @@ TEST(MeshIndex, FindsTheClosestPointOfAPointAtAnyDistance) {
     for (const double distance : {1e120, 1e155, 1e200, 1e308}) {
       const SurfacePoint far = index.closest_point(distance * direction);
       ASSERT_GE(far.face, 0) << distance;
-      EXPECT_NEAR(glm::length(far.position), 0.01, 5e-4) << "a point of the mesh; all are equally far in this precision";
+      EXPECT_NEAR(glm::length(far.position), 0.01, 5e-4)
+          << "a point of the mesh; all are equally far in this precision";
       EXPECT_NEAR(far.distance / distance, glm::length(direction), 1e-12 * glm::length(direction)) << distance;
     }
     EXPECT_EQ(index.closest_point(1e200 * direction, 1.0).face, -1) << "no point is that near";

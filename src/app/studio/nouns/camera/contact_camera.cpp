@@ -1,5 +1,5 @@
-// The camera of a scenario's run: at the first touch it comes near, and then it follows the contact, until the user moves
-// it. The first view of a run has its whole path, in which a contact is small.
+// The camera of a scenario's run: at the first touch it comes near, and then it follows the contact, until the user
+// moves it. The first view of a run has its whole path, in which a contact is small.
 #include <algorithm>
 #include <cmath>
 #include <optional>

@@ -259,8 +259,8 @@ Json clip_json(const ui::App& app) {
   return {{"normal", numbers<Json>(app.viewer->clip->normal)}, {"offset", app.viewer->clip->offset}};
 }
 
-/// Returns the number of widgets, of words and of numbers on the screen, and the words and numbers themselves with their
-/// places.
+/// Returns the number of widgets, of words and of numbers on the screen, and the words and numbers themselves with
+/// their places.
 Json amount_json(const ui::App& app) {
   const ImDrawData* drawn = ImGui::GetDrawData();
   const ui::WordCount count = drawn != nullptr ? ui::count_words(*drawn) : ui::WordCount{};

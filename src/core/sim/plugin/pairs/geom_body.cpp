@@ -87,13 +87,13 @@ NotedBody make_geom_body(const mjModel& m, int geom, const OtherMaterial& other)
 PartKey key_of(const mjModel& m, int geom, const std::string& content, const OtherMaterial& other) {
   const Material& material = other.material;
   std::vector<double> numbers{material.modulus,
-                           material.thickness,
-                           material.dissipation,
-                           material.friction,
-                           other.resolution,
-                           static_cast<double>(material.field),
-                           static_cast<double>(material.faces),
-                           static_cast<double>(other.repair)};
+                              material.thickness,
+                              material.dissipation,
+                              material.friction,
+                              other.resolution,
+                              static_cast<double>(material.field),
+                              static_cast<double>(material.faces),
+                              static_cast<double>(other.repair)};
   const std::vector<double> law = numbers_of(material.law);
   numbers.insert(numbers.end(), law.begin(), law.end());
   return {geom_name(m, geom), content, hash_of_numbers(std::span<const double>(numbers))};
