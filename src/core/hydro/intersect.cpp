@@ -262,8 +262,8 @@ class PairLaws {
     for (const double strain : scale().law_levels) m.levels.push_back(scale().material.modulus * strain);
     if (is_changed) {
       laws.matched = scaled(matched());
-      laws.pieces = changed->field->pieces;
-      for (const PressurePoint& point : laws.pieces) m.levels.push_back(point.to);
+      laws.pieces = {&changed->field->pieces, matched().material.modulus};
+      for (const LawPoint& point : laws.pieces.law->table) m.levels.push_back(laws.pieces.modulus * point.pressure);
       std::sort(m.levels.begin(), m.levels.end());
       find_ratios(second, X_AB, memory, out);
       laws.ratios = m.ratios;

@@ -228,9 +228,9 @@ TEST(DividedField, FillsTheSameBodyWithoutGaps) {
   for (const PressureFieldPtr& field :
        {make_pad_field(std::make_shared<TriMesh>(make_box(dvec3(0.02, 0.02, 0.006))), kLawModulus, 0.005),
         make_sphere_field(0.01, kLawModulus, 0.002), make_box_field(dvec3(0.01, 0.02, 0.03), kLawModulus)}) {
-    const std::vector<PressurePoint> pieces = LawMatch(soft, linear).pieces();
-    ASSERT_EQ(pieces.size(), 6U);
-    const DividedField divided = divide_field(*field, pieces);
+    const PressureLaw pieces = LawMatch(soft, linear).pieces();
+    ASSERT_EQ(pieces.table.size(), 5U);
+    const DividedField divided = divide_field(*field, pieces, kLawModulus);
     EXPECT_GT(divided.field->tets().size(), field->tets().size());
     EXPECT_EQ(divided.field->report().inverted, 0);
     const auto [volume, area] = extent_of(*field);

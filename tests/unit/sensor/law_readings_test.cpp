@@ -2,28 +2,14 @@
 // on a plate reads as the law of its depth below each sample.
 #include <gtest/gtest.h>
 
-#include "core/mesh/make/primitives.h"
 #include "core/sensor/contact_case/pose_readings.h"
+#include "fixtures/strip.h"
 #include "fixtures/touches.h"
 
 namespace taxel {
 namespace {
 
-constexpr double kPlateModulus = 1e5, kPlatePad = 0.005, kTipRadius = 0.0037;
-
-SensorModelPtr plate_model(const PressureLaw& law, Aggregate how, ReadingMethod method) {
-  Layout layout;
-  layout.mesh.file = "plate";
-  layout.material.modulus = kPlateModulus;
-  layout.material.thickness = kPlatePad;
-  layout.material.law = law;
-  layout.readout.aggregate = how;
-  layout.readout.method = method;
-  layout.sampling.density = 2e6;
-  for (int k = 0; k < 3; ++k)
-    layout.taxels.push_back({k, "", dvec3(0.006 * (k - 1), 0, 0.006), dvec3(0, 0, 1), 0.006, {}});
-  return build_sensor_model(layout, std::make_shared<TriMesh>(make_box(dvec3(0.06, 0.02, 0.006))), "", "plate");
-}
+constexpr double kTipRadius = 0.0037;
 
 std::vector<Pose> presses() {
   std::vector<Pose> poses;
@@ -45,8 +31,8 @@ TEST(LawReadings, AreThoseOfTheLinearLawWithAStraightTable) {
          {std::pair(Aggregate::weighted_mean, ReadingMethod::samples),
           std::pair(Aggregate::weighted_mean, ReadingMethod::exact), std::pair(Aggregate::max, ReadingMethod::samples),
           std::pair(Aggregate::force, ReadingMethod::samples)}) {
-      const PoseReadings linear = read_poses(*plate_model({}, how, method), *object, presses());
-      const PoseReadings table = read_poses(*plate_model(straight, how, method), *object, presses());
+      const PoseReadings linear = read_poses(*test::strip_model({}, {how, method}), *object, presses());
+      const PoseReadings table = read_poses(*test::strip_model(straight, {how, method}), *object, presses());
       double largest = 0;
       for (const double value : linear.readings) largest = std::max(largest, value);
       ASSERT_GT(largest, 0);
@@ -67,7 +53,7 @@ TEST(LawReadings, AreThoseOfTheLawAtTheSamples) {
   tip.resolution = kTipRadius / 40;
   const HydroBodyPtr ball = make_body(tip, {}, "ball");
   for (const ReadingMethod method : {ReadingMethod::samples, ReadingMethod::exact}) {
-    const SensorModelPtr model = plate_model(law, Aggregate::weighted_mean, method);
+    const SensorModelPtr model = test::strip_model(law, {Aggregate::weighted_mean, method});
     const std::vector<Pose> poses = presses();
     const PoseReadings all = read_poses(*model, *ball, poses);
     double largest = 0;
@@ -81,7 +67,7 @@ TEST(LawReadings, AreThoseOfTheLawAtTheSamples) {
           const double r2 = std::pow(x.x - poses[i].p.x, 2) + std::pow(x.y - poses[i].p.y, 2);
           const double left = kTipRadius * kTipRadius - r2;
           const double depth = left > 0 ? x.z - (poses[i].p.z - std::sqrt(left)) : 0;
-          sum += entry.weight * kPlateModulus * law.pressure(depth / kPlatePad);
+          sum += entry.weight * test::kStripModulus * law.pressure(depth / test::kStripPad);
           weights += entry.weight;
         }
         // The exact integral differs from the mean of the samples by their sampling error, 0.98 % with a linear law.

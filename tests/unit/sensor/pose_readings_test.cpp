@@ -12,26 +12,16 @@
 #include "core/sensor/contact_case/case_objects.h"
 #include "core/sensor/contact_case/pose_readings.h"
 #include "core/sensor/readout/reading.h"
+#include "fixtures/strip.h"
 #include "fixtures/touches.h"
 
 namespace taxel {
 namespace {
 
-constexpr double kPadModulus = 1e5, kPadThickness = 0.005, kBallRadius = 0.0037;
+constexpr double kBallRadius = 0.0037;
 
-/// Returns three taxels 6 mm apart on a plate of 120 x 40 x 12 mm with a pad of 5 mm, whose top is z = 6 mm.
-SensorModelPtr strip_model() {
-  Layout layout;
-  layout.mesh.file = "strip";
-  layout.material.modulus = kPadModulus;
-  layout.material.thickness = kPadThickness;
-  layout.sampling.density = 2e6;
-  for (int k = 0; k < 3; ++k)
-    layout.taxels.push_back({k, "", dvec3(0.006 * (k - 1), 0, 0.006), dvec3(0, 0, 1), 0.006, {}});
-  return build_sensor_model(layout, std::make_shared<TriMesh>(make_box(dvec3(0.06, 0.02, 0.006))), "", "strip");
-}
 const SensorModelPtr& strip() {
-  static const SensorModelPtr model = strip_model();
+  static const SensorModelPtr model = test::strip_model();
   return model;
 }
 
@@ -149,7 +139,7 @@ std::vector<double> read_by_rays(const SensorModel& model, const FacesFromAbove&
       const ReceptiveFields::Entry& entry = model.fields.entries[at(e)];
       double& pressure = pressures[at(entry.sample)];
       if (pressure < 0)
-        pressure = kPadModulus / kPadThickness * object.exit_depth(model.samples[at(entry.sample)].position);
+        pressure = test::kStripModulus / test::kStripPad * object.exit_depth(model.samples[at(entry.sample)].position);
       sum += entry.weight * pressure;
       weights += entry.weight;
     }

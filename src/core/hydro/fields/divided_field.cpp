@@ -4,7 +4,7 @@
 // pulling triangulation: from the vertex with the lowest index to the triangles of all faces without this vertex, and a
 // face is a fan from its own vertex with the lowest index. So two tets that share a face divide the face in the same
 // way, whatever their order. Vertices on an edge are shared by all tets around the edge.
-#include "core/hydro/fields/divided_field.h"
+#include "core/hydro/fields/pressure_field.h"
 
 #include <algorithm>
 #include <map>
@@ -145,20 +145,13 @@ class PressureLayers {
   std::map<std::pair<int, int>, int> middle_;
 };
 
-double pressure_of(std::span<const PressurePoint> points, double pressure) {
-  std::size_t i = 1;
-  while (i + 1 < points.size() && points[i].from < pressure) ++i;
-  const PressurePoint &a = points[i - 1], &b = points[i];
-  return a.to + (b.to - a.to) * (pressure - a.from) / (b.from - a.from);
-}
-
 }  // namespace
 
-DividedField divide_field(const PressureField& field, std::span<const PressurePoint> points) {
+DividedField divide_field(const PressureField& field, const PressureLaw& table, double modulus) {
   PressureLayers layers(field);
-  for (std::size_t i = 1; i + 1 < points.size(); ++i) layers.divide(points[i].from);
+  for (std::size_t i = 0; i + 1 < table.table.size(); ++i) layers.divide(modulus * table.table[i].strain);
   std::vector<double> pressures;
-  for (const double p : layers.pressure()) pressures.push_back(pressure_of(points, p));
+  for (const double p : layers.pressure()) pressures.push_back(modulus * table.pressure(p / modulus));
   FieldReport report;
   report.thickness = field.report().thickness;
   report.deepest = field.report().deepest;

@@ -139,6 +139,15 @@ PressureFieldPtr make_star_field(const TriMeshPtr& mesh, double modulus);
 /// most edge_length, scaled to the true volume.
 PressureFieldPtr make_sphere_field(double radius, double modulus, double edge_length);
 
+/// A field whose tets are parts of those of another field.
+struct DividedField {
+  PressureFieldPtr field;
+  std::vector<int> parents;  ///< for each tet, the tet of the other field that contains it
+};
+/// Returns the field with the pressures E f(p/E) of `field`, E the modulus and f a table of straight pieces. Each tet in
+/// which a piece ends is divided there, so the new field is linear in each tet and continuous.
+DividedField divide_field(const PressureField& field, const PressureLaw& table, double modulus);
+
 /// Returns the quality of a field in sentences for the user, for `file` and JSON pointer `pointer`, in this order:
 ///   note    field_report             tets, stiffness and how much it varies over the skin; of a pad also layers,
 ///                                    error, refined faces, caps, presses, and skin served by depth pieces

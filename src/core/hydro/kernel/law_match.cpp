@@ -12,14 +12,14 @@ namespace {
 constexpr int kTablePoints = 256;  // of the function T, for the choice of its pieces
 constexpr int kFitPoints = 64;     // of each piece: more change the ends by less than 1e-4
 
-/// Moves the ends of straight pieces, but the first one at 0, to least squares of the relative error of a function f.
-/// The normal equations of hat functions are tridiagonal.
+/// Sets the pressures of a table to least squares of the relative error of a function f. The normal equations of hat
+/// functions are tridiagonal.
 template <class F>
-void fit_pieces(const F& f, std::vector<PressurePoint>& points) {
-  const std::size_t count = points.size() - 1;
+void fit_pieces(const F& f, std::vector<LawPoint>& table) {
+  const std::size_t count = table.size();
   std::vector<double> diagonal(count, 0.0), off(count, 0.0), right(count, 0.0);
   for (std::size_t i = 0; i < count; ++i) {
-    const double begin = points[i].from, width = points[i + 1].from - begin;
+    const double begin = i > 0 ? table[i - 1].strain : 0.0, width = table[i].strain - begin;
     for (int n = 0; n < kFitPoints; ++n) {
       // Weights of 1/f^1.5 and pieces of even error: small pressures count as much as large ones.
       const double t = (n + 0.5) / kFitPoints, p = f(begin + t * width), w = width / (p * std::sqrt(p));
@@ -37,7 +37,7 @@ void fit_pieces(const F& f, std::vector<PressurePoint>& points) {
     right[i] -= factor * right[i - 1];
   }
   for (std::size_t i = count; i-- > 0;)
-    points[i + 1].to = (right[i] - (i + 1 < count ? off[i + 1] * points[i + 2].to : 0.0)) / diagonal[i];
+    table[i].pressure = (right[i] - (i + 1 < count ? off[i + 1] * table[i + 1].pressure : 0.0)) / diagonal[i];
 }
 
 }  // namespace
@@ -62,18 +62,18 @@ double LawMatch::steepest() const {
   return own_->law.slopes().most / other_->law.slopes().least;
 }
 
-std::vector<PressurePoint> LawMatch::pieces() const {
+PressureLaw LawMatch::pieces() const {
   const double E = own_->modulus;
-  PressureLaw table{LawKind::table, 0, {}};
+  const auto of_strain = [&](double e) { return (*this)(E * e) / E; };
+  PressureLaw fine{LawKind::table, 0, {}}, pieces{LawKind::table, 0, {}};
   for (int i = 1; i <= kTablePoints; ++i) {
     const double e = static_cast<double>(i) / kTablePoints;
-    table.table.push_back({e, (*this)(E * e) / E});
+    fine.table.push_back({e, of_strain(e)});
   }
-  std::vector<PressurePoint> points{{0, 0}};
-  for (const double e : law_levels(table, kLawLevels)) points.push_back({E * e, 0});
-  points.push_back({E, 0});
-  fit_pieces(*this, points);
-  return points;
+  for (const double e : law_levels(fine, kLawLevels)) pieces.table.push_back({e, 0});
+  pieces.table.push_back({1, 0});
+  fit_pieces(of_strain, pieces.table);
+  return pieces;
 }
 
 std::shared_ptr<const MatchedField> MatchedFields::get(const PressureField& field, const TriMesh* skin,
@@ -86,8 +86,8 @@ std::shared_ptr<const MatchedField> MatchedFields::get(const PressureField& fiel
     return entries_.front().field;
   }
   if (entries_.size() == kMostFields) entries_.pop_back();
-  std::vector<PressurePoint> pieces = LawMatch(own, other).pieces();
-  DividedField divided = divide_field(field, pieces);
+  PressureLaw pieces = LawMatch(own, other).pieces();
+  DividedField divided = divide_field(field, pieces, own.modulus);
   auto index = std::make_shared<const FieldIndex>(divided.field, skin);
   auto made = std::make_shared<const MatchedField>(
       MatchedField{std::move(index), std::move(divided.parents), std::move(pieces)});

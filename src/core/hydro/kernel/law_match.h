@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/base/material.h"
-#include "core/hydro/fields/divided_field.h"
+#include "core/hydro/fields/pressure_field.h"
 
 namespace taxel {
 
@@ -28,9 +28,9 @@ class LawMatch {
   [[nodiscard]] double inverse(double p) const;
   /// Returns an upper bound of the derivative of T.
   [[nodiscard]] double steepest() const;
-  /// Returns T as straight pieces from 0 to E, of even relative error: their ends are those of least squares, so the
-  /// errors of a press nearly cancel.
-  [[nodiscard]] std::vector<PressurePoint> pieces() const;
+  /// Returns T(E e)/E as a table of straight pieces from e = 0 to 1, of even relative error: their ends are those of
+  /// least squares, so the errors of a press nearly cancel. E is the body's own modulus.
+  [[nodiscard]] PressureLaw pieces() const;
 
  private:
   const Material *own_, *other_;
@@ -40,7 +40,7 @@ class LawMatch {
 struct MatchedField {
   std::shared_ptr<const FieldIndex> index;
   std::vector<int> parents;
-  std::vector<PressurePoint> pieces;  ///< straight pieces of T
+  PressureLaw pieces;  ///< LawMatch::pieces()
 };
 
 /// The fields of one body for the materials that it meets. May be used from any thread.

@@ -20,42 +20,30 @@ namespace {
 
 constexpr double kSmallestPart = 1e-12;  // of the polygon's area
 
-/// The piece of a function that holds a value, as the point at its beginning and its slope.
-struct Piece {
-  PressurePoint begin;
-  double slope;
-};
-Piece piece_at(std::span<const PressurePoint> points, double to) {
-  std::size_t i = 1;
-  while (i + 1 < points.size() && points[i].to < to) ++i;
-  const PressurePoint &a = points[i - 1], &b = points[i];
-  return {a, (b.to - a.to) / (b.from - a.from)};
-}
-
 /// The function from the kernel's pressures to those of the laws on one polygon.
 class PressureOfPolygon {
  public:
   PressureOfPolygon(const LawsOfSurface& laws, std::size_t number, double middle) : laws_(laws) {
-    if (laws.pieces.empty()) return;
-    const Piece piece = piece_at(laws.pieces, middle);
-    const double own = laws.matched.slope(piece.begin.from + (middle - piece.begin.to) / piece.slope) / piece.slope;
-    const double other = laws.ratios[number] * laws.scale.slope(middle);
+    if (laws.pieces.law == nullptr) return;
+    const double own = matched_slope(middle), other = laws.ratios[number] * laws.scale.slope(middle);
     matched_part_ = other / (own + other);
   }
   [[nodiscard]] double at(double linear) const {
     if (matched_part_ == 0) return laws_.scale.at(linear);
-    const Piece piece = piece_at(laws_.pieces, linear);
-    const double own = laws_.matched.at(piece.begin.from + (linear - piece.begin.to) / piece.slope);
+    const double own = laws_.matched.at(laws_.pieces.inverse(linear));
     return matched_part_ * own + (1 - matched_part_) * laws_.scale.at(linear);
   }
   [[nodiscard]] double slope(double linear) const {
     if (matched_part_ == 0) return laws_.scale.slope(linear);
-    const Piece piece = piece_at(laws_.pieces, linear);
-    const double own = laws_.matched.slope(piece.begin.from + (linear - piece.begin.to) / piece.slope) / piece.slope;
-    return matched_part_ * own + (1 - matched_part_) * laws_.scale.slope(linear);
+    return matched_part_ * matched_slope(linear) + (1 - matched_part_) * laws_.scale.slope(linear);
   }
 
  private:
+  [[nodiscard]] double matched_slope(double linear) const {
+    const double own = laws_.pieces.inverse(linear);
+    return laws_.matched.slope(own) / laws_.pieces.slope(own);
+  }
+
   const LawsOfSurface& laws_;
   double matched_part_ = 0;
 };

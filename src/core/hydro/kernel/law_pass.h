@@ -7,7 +7,6 @@
 
 #include "core/base/pressure_law.h"
 #include "core/hydro/contact_surface.h"
-#include "core/hydro/fields/divided_field.h"
 
 namespace taxel {
 
@@ -21,6 +20,8 @@ struct ScaledLaw {
 
   [[nodiscard]] double at(double linear) const { return modulus * law->pressure(linear / modulus); }
   [[nodiscard]] double slope(double linear) const { return law->gradient(linear / modulus); }
+  /// Returns the linear pressure at which at() is p.
+  [[nodiscard]] double inverse(double p) const { return modulus * law->strain(p / modulus); }
 };
 
 /// The pressures of a surface as a function of those of the kernel, which are linear: by the law of one body or,
@@ -31,11 +32,11 @@ struct ScaledLaw {
 /// surface lies a short way along the normal, where they are equal: to first order the pressure there is
 /// (s' P + s P')/(s + s'), s and s' the slopes of both pressures along the normal.
 struct LawsOfSurface {
-  ScaledLaw scale;                          ///< law of the body whose linear pressures the kernel has
-  ScaledLaw matched{};                      ///< law of the matched body, if there is one
-  std::span<const PressurePoint> pieces{};  ///< those of T; empty without a matched body
-  std::span<const double> ratios{};         ///< for each polygon, s'/s of the kernel's pressures
-  std::span<const double> levels{};         ///< linear pressures at which polygons are divided [Pa], ascending
+  ScaledLaw scale;                   ///< law of the body whose linear pressures the kernel has
+  ScaledLaw matched{};               ///< law of the matched body, if there is one
+  ScaledLaw pieces{};                ///< LawMatch::pieces(); without a law if there is no matched body
+  std::span<const double> ratios{};  ///< for each polygon, s'/s of the kernel's pressures
+  std::span<const double> levels{};  ///< linear pressures at which polygons are divided [Pa], ascending
 };
 
 /// A corner of a part of a polygon, with its linear pressure E e.
