@@ -2,6 +2,7 @@
 
 #include <dlfcn.h>
 
+#include <cstdlib>
 #include <string>
 
 namespace taxel::os {
@@ -41,7 +42,13 @@ struct Fontconfig {
   }
 
   /// Without its configuration, fontconfig would complain on the standard error.
-  [[nodiscard]] bool is_usable() const { return is_complete && config_filename(nullptr) != nullptr; }
+  [[nodiscard]] bool is_usable() const {
+    if (!is_complete) return false;
+    unsigned char* const name = config_filename(nullptr);
+    const bool is_configured = name != nullptr;
+    std::free(name);  // the caller owns it
+    return is_configured;
+  }
 
  private:
   template <class Function>
