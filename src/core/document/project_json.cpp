@@ -138,13 +138,14 @@ Project parse_project(const std::string& text, const std::string& file) {
   const Node root(json, file);
   read_head(root);
   Project project;
-  root.at("layout").must_be_object();
-  project.layout = read_part(file, "/layout", [&] { return parse_layout(json_line(json["layout"])); });
+  const Node layout = root.at("layout");
+  layout.must_be_object();
+  project.layout = read_part(file, "/layout", [&] { return parse_layout(json_line(layout.json())); });
   project.scenario = parse_scenario("{}");
   if (const auto node = root.find("scenario")) {
     node->must_be_object();
     if (node->find("scenario")) node->fail_at("scenario", "unknown key");
-    project.scenario = read_part(file, "/scenario", [&] { return parse_scenario(json_line(json["scenario"])); });
+    project.scenario = read_part(file, "/scenario", [&] { return parse_scenario(json_line(node->json())); });
   }
   if (const auto node = root.find("view")) project.view = read_view(*node);
   if (const auto node = root.find("mirrors"))

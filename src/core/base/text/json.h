@@ -239,6 +239,7 @@ class JsonNode {
       : json_(&json), file_(&file), unknown_(unknown), pointer_(std::move(pointer)) {}
 
   [[nodiscard]] const std::string& pointer() const { return pointer_; }
+  [[nodiscard]] const Json& json() const { return *json_; }
 
   [[noreturn]] void fail(const std::string& message) const { throw Error(*file_, pointer_, message); }
   [[noreturn]] void fail_at(std::string_view key, const std::string& message) const {

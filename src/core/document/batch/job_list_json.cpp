@@ -36,12 +36,12 @@ std::vector<std::string> range_of(const Node& node) {
   return values;
 }
 
-std::vector<std::string> listed_values(const Node& node, const Json& json) {
+std::vector<std::string> listed_values(const Node& node) {
   node.only({"values"});
   const Node list = node.at("values");
   if (list.length() == 0) list.fail("must have at least one value");
   std::vector<std::string> values;
-  for (const Json& value : json["values"]) values.push_back(json_line(value));
+  for (const Json& value : list.json()) values.push_back(json_line(value));
   return values;
 }
 
@@ -58,39 +58,40 @@ Draw draw_of(const Node& node, const char* key, Distribution distribution) {
   return draw;
 }
 
-Choice choice_of(const Node& node, const Json& json) {
+Choice choice_of(const Node& node) {
   node.only({"choice"});
   const Node list = node.at("choice");
   if (list.length() == 0) list.fail("must have at least one value");
   Choice choice;
-  for (const Json& value : json["choice"]) choice.values.push_back(json_line(value));
+  for (const Json& value : list.json()) choice.values.push_back(json_line(value));
   return choice;
 }
 
 /// A value is itself, unless it is an object with one of these keys.
-JobParameter parameter_of(const std::string& pointer, const Node& node, const Json& json) {
-  if (json.is_object()) {
-    if (node.find("values")) return {pointer, listed_values(node, json)};
-    if (node.find("choice")) return {pointer, choice_of(node, json)};
+JobParameter parameter_of(const std::string& pointer, const Node& node) {
+  if (node.json().is_object()) {
+    if (node.find("values")) return {pointer, listed_values(node)};
+    if (node.find("choice")) return {pointer, choice_of(node)};
     if (node.find("from")) return {pointer, range_of(node)};
     if (node.find("uniform")) return {pointer, draw_of(node, "uniform", Distribution::uniform)};
     if (node.find("log_uniform")) return {pointer, draw_of(node, "log_uniform", Distribution::log_uniform)};
     if (node.find("normal")) return {pointer, draw_of(node, "normal", Distribution::normal)};
   }
-  return {pointer, std::vector<std::string>{json_line(json)}};
+  return {pointer, std::vector<std::string>{json_line(node.json())}};
 }
 
 /// Returns the scenario object in the text of a scenario file.
 std::string inner_scenario(const std::string& text, const std::string& file) {
   const Json json = parse_json<Json>(text, file);
-  Node(json, file).must_be_object();
-  return json_line(json.contains("scenario") ? json["scenario"] : json);
+  const Node root(json, file);
+  root.must_be_object();
+  return json_line(root.find("scenario").value_or(root).json());
 }
 
-void read_scenario_of(const Node& node, const Json& json, const std::filesystem::path& folder, JobLine& line) {
+void read_scenario_of(const Node& node, const std::filesystem::path& folder, JobLine& line) {
   if (!node.is_text()) {
     node.must_be_object();
-    line.scenario = json_line(json);
+    line.scenario = json_line(node.json());
     line.scenario_file = (folder / "jobs").string();
     return;
   }
@@ -103,14 +104,14 @@ std::string scene_object(const Json& json) {
   return json_line(json.is_string() ? Json{{"file", json}} : json);
 }
 
-void read_parameters(const Node& node, const Json& json, JobLine& line) {
+void read_parameters(const Node& node, JobLine& line) {
   node.must_be_object();
-  for (const auto& [pointer, value] : json.items()) {
+  for (const auto& [pointer, value] : node.json().items()) {
     const bool is_of_scene = pointer.starts_with("/scene/");
     if (!line.scene.empty() && !is_of_scene) node.fail_at(pointer, "must begin with /scene/");
     if (line.scene.empty() && !pointer.starts_with("/layout/") && !pointer.starts_with("/scenario/"))
       node.fail_at(pointer, "must begin with /layout/ or /scenario/");
-    line.parameters.push_back(parameter_of(pointer, *node.find(pointer), value));
+    line.parameters.push_back(parameter_of(pointer, *node.find(pointer)));
     if (line.count() > kMaxJobs) node.fail(fmt::format("gives more than {} jobs", kMaxJobs));
   }
 }
@@ -137,11 +138,11 @@ JobLine parse_job_line(const std::string& text, const std::filesystem::path& fol
     for (const char* other : {"scenario", "layout"})
       if (root.find(other)) root.fail_at(other, "excludes a scene, which has its own sensors and motions");
     if (!scene->is_text()) scene->must_be_object();
-    line.scene = scene_object(json["scene"]);
+    line.scene = scene_object(scene->json());
   } else {
-    read_scenario_of(root.at("scenario"), json["scenario"], folder, line);
+    read_scenario_of(root.at("scenario"), folder, line);
   }
-  if (const auto set = root.find("set")) read_parameters(*set, json["set"], line);
+  if (const auto set = root.find("set")) read_parameters(*set, line);
   if (const auto repeat = root.find("repeat")) line.repeat = whole_count(*repeat, 1);
   if (const auto seed = root.find("seed")) line.seed = seed->natural();
   if (const auto task = root.find("task")) line.task = task->text();

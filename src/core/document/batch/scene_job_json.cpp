@@ -94,7 +94,7 @@ std::vector<double> read_numbers(const Node& node) {
   return values;
 }
 
-ControlTable read_table(const Node& node, const Json& json) {
+ControlTable read_table(const Node& node) {
   ControlTable table;
   const Node time = node.at("time");
   table.times = read_numbers(time);
@@ -103,7 +103,7 @@ ControlTable read_table(const Node& node, const Json& json) {
     if (table.times[i] < 0) time.item(i).wrong("a time of at least 0 s");
     if (i > 0 && !(table.times[i] > table.times[i - 1])) time.item(i).fail("must be later than the time before");
   }
-  for (const auto& [name, unused] : json.items()) {
+  for (const auto& [name, unused] : node.json().items()) {
     if (name == "time") continue;
     const Node column = node.at(name);
     table.values[name] = read_numbers(column);
@@ -115,28 +115,28 @@ ControlTable read_table(const Node& node, const Json& json) {
   return table;
 }
 
-void read_start(const Node& node, const Json& json, const std::filesystem::path& folder, SceneJob& scene) {
+void read_start(const Node& node, const std::filesystem::path& folder, SceneJob& scene) {
   if (const auto attach = node.find("attach"))
     for (std::size_t i = 0; i < attach->length(); ++i) scene.attach.push_back(read_attachment(attach->item(i), folder));
   if (const auto keyframe = node.find("keyframe"))
     scene.keyframe = keyframe->is_text() ? text_that_is_set(*keyframe) : std::to_string(keyframe->natural());
   if (const auto moves = node.find("moves")) {
     moves->must_be_object();
-    for (const auto& [body, unused] : json["moves"].items()) scene.moves.push_back(read_move(body, moves->at(body)));
+    for (const auto& [body, unused] : moves->json().items()) scene.moves.push_back(read_move(body, moves->at(body)));
   }
   if (const auto geoms = node.find("geoms")) {
     geoms->must_be_object();
-    for (const auto& [geom, unused] : json["geoms"].items()) scene.geoms.push_back(read_geom(geom, geoms->at(geom)));
+    for (const auto& [geom, unused] : geoms->json().items()) scene.geoms.push_back(read_geom(geom, geoms->at(geom)));
   }
 }
 
-void read_lead_of(const Node& node, const Json& json, const std::filesystem::path& folder, SceneJob& scene) {
+void read_lead_of(const Node& node, const std::filesystem::path& folder, SceneJob& scene) {
   if (const auto controls = node.find("controls")) {
     if (controls->is_text()) {
       scene.controls = path_of(*controls, folder);
     } else {
       controls->must_be_object();
-      scene.table = read_table(*controls, json["controls"]);
+      scene.table = read_table(*controls);
     }
   }
   if (const auto mocap = node.find("mocap")) scene.mocap = path_of(*mocap, folder);
@@ -195,8 +195,8 @@ SceneJob parse_scene_job(const std::string& text, const std::filesystem::path& f
              "record_interval"});
   SceneJob scene;
   scene.file = path_of(root.at("file"), folder);
-  read_start(root, json, folder, scene);
-  read_lead_of(root, json, folder, scene);
+  read_start(root, folder, scene);
+  read_lead_of(root, folder, scene);
   if (const auto seconds = root.find("seconds")) scene.seconds = positive_number(*seconds);
   if (const auto interval = root.find("record_interval")) scene.record_interval = positive_number(*interval);
   const bool has_end = scene.table || !scene.controls.empty() || !scene.mocap.empty() || !scene.replay.empty();

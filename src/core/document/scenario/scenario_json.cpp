@@ -84,9 +84,9 @@ std::set<std::string, std::less<>> keys_of(const Scenario& scenario) {
 }
 
 /// Throws Error for a key that the scenario's kind or shape does not use.
-void check_keys(const Node& node, const Json& json, const Scenario& scenario) {
+void check_keys(const Node& node, const Scenario& scenario) {
   const auto used = keys_of(scenario), used_on_edge = keys_of(with_shape(scenario, ObjectShape::edge));
-  for (const auto& item : json.items()) {
+  for (const auto& item : node.json().items()) {
     const std::string& key = item.key();
     if (used.contains(key)) continue;
     if (used_on_edge.contains(key))
@@ -99,12 +99,12 @@ void check_keys(const Node& node, const Json& json, const Scenario& scenario) {
   }
 }
 
-Scenario read_values(const Node& node, const Json& json) {
+Scenario scenario_values(const Node& node) {
   const auto kind = node.find("kind");
   Scenario scenario = default_scenario(kind ? kind->word<ScenarioKind>() : kKind<scenarios::Sweep>);
   scenario = with_shape(scenario, ObjectShape::box);
   if (const auto shape = node.find("shape")) scenario = with_shape(scenario, shape->word<ObjectShape>());
-  check_keys(node, json, scenario);
+  check_keys(node, scenario);
   for (const ScenarioNumber& entry : numbers_of(scenario)) {
     if (const auto number = node.find(entry.field.key)) {
       *entry.value = number->number();
@@ -155,7 +155,7 @@ Scenario parse_scenario(const std::string& text, const std::string& file) {
   const Node root(json, file);
   root.must_be_object();
   const Node node = scenario_of(root);
-  const Scenario scenario = read_values(node, node.pointer().empty() ? json : json["scenario"]);
+  const Scenario scenario = scenario_values(node);
   try {
     check_scenario(scenario);
   } catch (const Error& e) {

@@ -43,10 +43,11 @@ Study parse_study(const std::string& text, const std::string& file) {
   const double version = root.at("version").number();
   if (version != kStudyVersion)
     root.fail_at("version", fmt::format("{} is unknown, this program reads version {}", version, kStudyVersion));
-  root.at("scenario").must_be_object();
+  const Node scenario = root.at("scenario");
+  scenario.must_be_object();
   Study study;
   try {
-    study.scenario = parse_scenario(json_line(json["scenario"]));
+    study.scenario = parse_scenario(json_line(scenario.json()));
   } catch (const Error& e) {
     throw Error(file, "/scenario" + e.where(), e.message());
   }

@@ -258,14 +258,15 @@ std::int64_t whole_at(const Node& node, const char* key) {
   return static_cast<std::int64_t>(node.at(key).natural());
 }
 
-std::vector<JobChange> changes_at(const Node& node, const Json& json) {
-  node.at("changes").must_be_object();
+std::vector<JobChange> changes_at(const Node& node) {
+  const Node object = node.at("changes");
+  object.must_be_object();
   std::vector<JobChange> changes;
-  for (const auto& [pointer, value] : json["changes"].items()) changes.push_back({pointer, json_line(value)});
+  for (const auto& [pointer, value] : object.json().items()) changes.push_back({pointer, json_line(value)});
   return changes;
 }
 
-void read_episode(const Json& json, const Node& root, BatchIndex& index) {
+void read_episode(const Node& root, BatchIndex& index) {
   EpisodeEntry e;
   e.index = whole_at(root, "episode");
   e.rows = whole_at(root, "rows");
@@ -278,7 +279,7 @@ void read_episode(const Json& json, const Node& root, BatchIndex& index) {
   e.seed = root.at("seed").natural();
   e.job = root.at("job").text();
   e.summary = read_summary(root);
-  e.changes = changes_at(root, json);
+  e.changes = changes_at(root);
   e.scenario = root.at("scenario").text();
   if (e.index != static_cast<std::int64_t>(index.episodes.size()))
     root.fail_at("episode", fmt::format("must be {}, the number of the line from 0", index.episodes.size()));
@@ -289,14 +290,14 @@ void read_episode(const Json& json, const Node& root, BatchIndex& index) {
   index.episodes.push_back(std::move(e));
 }
 
-void read_failed(const Json& json, const Node& root, BatchIndex& index) {
+void read_failed(const Node& root, BatchIndex& index) {
   const int of_list = root.at("line").small_integer();
   const std::string error = root.at("error").text();
   if (!root.find("number")) return index.broken.push_back({of_list, error});
-  index.failed.push_back({of_list, whole_at(root, "number"), root.at("job").text(), error, changes_at(root, json)});
+  index.failed.push_back({of_list, whole_at(root, "number"), root.at("job").text(), error, changes_at(root)});
 }
 
-/// Calls read(json, node) for each line that is not empty.
+/// Calls read(node) for each line that is not empty.
 template <class Read>
 void read_lines(const std::string& text, const fs::path& file, const Read& read) {
   std::size_t number = 1;
@@ -307,7 +308,7 @@ void read_lines(const std::string& text, const fs::path& file, const Read& read)
       const Json json = parse_json<Json>(text.substr(begin, end - begin), place);
       const Node root(json, place);
       root.must_be_object();
-      read(json, root);
+      read(root);
     }
     begin = end + 1;
   }
@@ -319,11 +320,9 @@ BatchIndex parse_batch_index(const BatchTexts& texts, const fs::path& folder) {
   BatchIndex index;
   read_batch(texts.batch, (folder / kBatchFile).string(), index);
   read_lines(texts.layouts, folder / "layouts.jsonl",
-             [&](const Json&, const Node& root) { index.layouts.push_back(read_sensor(root)); });
-  read_lines(texts.episodes, folder / "episodes.jsonl",
-             [&](const Json& json, const Node& root) { read_episode(json, root, index); });
-  read_lines(texts.failed, folder / "failed.jsonl",
-             [&](const Json& json, const Node& root) { read_failed(json, root, index); });
+             [&](const Node& root) { index.layouts.push_back(read_sensor(root)); });
+  read_lines(texts.episodes, folder / "episodes.jsonl", [&](const Node& root) { read_episode(root, index); });
+  read_lines(texts.failed, folder / "failed.jsonl", [&](const Node& root) { read_failed(root, index); });
   return index;
 }
 

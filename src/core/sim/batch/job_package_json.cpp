@@ -24,13 +24,14 @@ Json job_to_json(const Job& job) {
   return json;
 }
 
-Job read_job(const Node& node, const Json& json) {
+Job read_job(const Node& node) {
   Job job;
   job.id = node.at("id").text();
   job.layout = node.at("layout").text();
   job.layout_key = node.at("layout_key").text();
-  node.at("scenario").must_be_object();
-  job.scenario = parse_scenario(json["scenario"].dump());
+  const Node scenario = node.at("scenario");
+  scenario.must_be_object();
+  job.scenario = parse_scenario(scenario.json().dump());
   const Node changes = node.at("changes");
   for (std::size_t i = 0; i < changes.length(); ++i)
     job.changes.push_back({changes.item(i).at("pointer").text(), changes.item(i).at("value").text()});
@@ -64,9 +65,10 @@ JobPackage parse_package(const std::string& text) {
   if (const auto fps = root.find("fps")) package.format.fps = fps->small_integer();
   const Node jobs = root.at("jobs");
   if (jobs.length() == 0) jobs.fail("must have at least one job");
-  for (std::size_t i = 0; i < jobs.length(); ++i) package.jobs.push_back(read_job(jobs.item(i), json["jobs"][i]));
-  root.at("files").must_be_object();
-  for (const auto& [path, copy] : json["files"].items()) package.files[path] = root.at("files").at(path).text();
+  for (std::size_t i = 0; i < jobs.length(); ++i) package.jobs.push_back(read_job(jobs.item(i)));
+  const Node files = root.at("files");
+  files.must_be_object();
+  for (const auto& [path, copy] : files.json().items()) package.files[path] = files.at(path).text();
   if (const auto source = root.find("source"))
     package.source = PackedSource{source->at("file").text(), source->at("layout").text()};
   return package;
