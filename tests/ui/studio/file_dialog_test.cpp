@@ -280,5 +280,26 @@ INSTANTIATE_TEST_SUITE_P(
                     DialogList{"photo.png", "Edit > Generate taxels reads the dots of an image"},
                     DialogList{"a.docx", ".taxels.json, .yaml, .csv, .urdf, .npz, .txt), mesh (.obj .stl"}));
 
+TEST(FileDialog, LeavesOutJsonFilesThatAreNoLayoutAndNamesTheOneNextToThem) {
+  const StudioProgram studio;
+  std::filesystem::create_directories(studio.folder() / "run");
+  write_text(studio.folder() / "run/sweep.json", R"({"format": "taxel-sweep", "version": 1, "scenario": {}})");
+  write_text(studio.folder() / "run/finger.taxels.json", file_text(kLayoutFile));
+  const std::string file = (studio.folder() / "run/sweep.json").string();
+  studio.play({kIdle, kOpen, kIdle, type("run"), kIdle, kEnter, kIdle, kIdle, dump("listed.json"), type("sweep.json"),
+               kIdle, kEnter, kIdle, dump("typed.json"), key("Escape"), kIdle,
+               R"({"event": "drop", "files": [")" + file + R"("]})", kIdle, dump("dropped.json")},
+              {"--empty"});
+  EXPECT_EQ(names_of(studio.state("listed.json")), std::vector<std::string>{"finger.taxels.json"});
+  const std::string why = "is no layout: its format is \"taxel-sweep\". Open finger.taxels.json next to it";
+  EXPECT_NE(studio.state("typed.json")["file_dialog"].dump().find("Open finger.taxels.json next to it"),
+            std::string::npos);
+  EXPECT_NE(studio.state("dropped.json")["messages"].back()["text"].get<std::string>().find(why), std::string::npos);
+  const Outcome argument = studio.run({kIdle, dump("argument.json")}, {file});
+  EXPECT_NE((argument.err + file_text(studio.folder() / "argument.json")).find("Open finger.taxels.json next to it"),
+            std::string::npos)
+      << argument.err;
+}
+
 }  // namespace
 }  // namespace taxel::test

@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <filesystem>
 #include <optional>
 #include <string_view>
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/files.h"
 #include "core/base/limits.h"
 #include "core/base/parallel.h"
 #include "core/base/text/message.h"
@@ -430,9 +432,53 @@ double density_for(double area) {
   return std::min(Sampling{}.density, std::floor(wanted / decade) * decade);
 }
 
+namespace {
+
+/// Returns the value of "format" near the start of a JSON file, or nothing.
+std::string format_word(const std::filesystem::path& file) {
+  constexpr std::size_t kStart = 300;
+  constexpr std::string_view kKey = "\"format\"";
+  const std::string start = read_start(file, kStart);
+  const std::size_t key = start.find(kKey), open = start.find('"', key == std::string::npos ? key : key + kKey.size()),
+                    end = open == std::string::npos ? open : start.find('"', open + 1);
+  return end == std::string::npos ? "" : start.substr(open + 1, end - open - 1);
+}
+
+/// Returns the name of the first layout, or else of a scene, in the folder of a file. Empty if there is none.
+std::string document_next_to(const std::filesystem::path& file) {
+  std::string layout, scene;
+  std::error_code error;
+  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
+  for (std::filesystem::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+    const std::string name = it->path().filename().string();
+    std::string& found = name.ends_with(".taxels.json") ? layout : scene;
+    const bool can_be_opened = &found == &layout || name.ends_with(".xml");
+    if (can_be_opened && (found.empty() || name < found)) found = name;
+  }
+  return layout.empty() ? scene : layout;
+}
+
+/// Throws Error if a JSON file says that it is no layout.
+void expect_layout(const std::filesystem::path& file) {
+  const std::string format = format_word(file);
+  const bool is_other = format.starts_with("taxel-") || format == "column-mapping" || format == "contact-case";
+  if (!is_other || format == "taxel-layout") return;
+  const std::string other = document_next_to(file);
+  const bool has_scenario = format == "taxel-sweep" || format == "taxel-play" || format == "taxel-scenario";
+  throw Error(file.string(), fmt::format("is no layout: its format is \"{}\". {}{}", format,
+                                         other.empty() ? "Open the layout" : "Open " + other + " next to it",
+                                         has_scenario ? "; --scenario FILE runs its scenario" : ""));
+}
+
+}  // namespace
+
 DocumentKind document_kind(const std::filesystem::path& file) {
   const std::string extension = extension_of(file);
-  if (needs_mesh(file) || extension == ".json") return DocumentKind::layout;
+  if (needs_mesh(file)) return DocumentKind::layout;
+  if (extension == ".json") {
+    expect_layout(file);
+    return DocumentKind::layout;
+  }
   if (extension == ".taxelproj") return DocumentKind::project;
   if (extension == ".xml" || extension == ".mjcf") return DocumentKind::scene;
   if (extension == kFrameBundleExtension) return DocumentKind::frame;
