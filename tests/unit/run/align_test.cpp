@@ -44,6 +44,7 @@ TEST(Align, FindsAKnownShiftToAFractionOfASample) {
     EXPECT_NEAR(found->shift, shift, 0.05 * 0.001) << "a twentieth of the finer interval";
     EXPECT_GT(found->correlation, 0.9999);
     EXPECT_NEAR(found->overlap, 2.4, 0.02);
+    EXPECT_LE(found->overlap, 2.39 + 1e-9) << "the recording lasts 2.39 s";
   }
 }
 
@@ -154,6 +155,17 @@ TEST(GainFit, WritesTheAlignedTableAtTheTimesOfTheRun) {
   EXPECT_EQ(aligned_csv(run, real, -10, fits).substr(0, 38), "time,taxel_5,real_5,fitted_5\n0,0,,\n1,1");
   TaxelFit fit{5, "", 0.1, 0.5};
   EXPECT_EQ(aligned_csv(run, real, -10, {fit}), "time,taxel_5,real_5,fitted_5\n0,0,,0.5\n1,10,1.5,1.5\n2,20,2.5,2.5\n");
+}
+
+TEST(GainFit, WritesTheFitsAsATable) {
+  ColumnMapping mapping;
+  mapping.unit = "V";
+  mapping.taxels = {{9, "left, low", {}, {}}, {5, "p5", {}, {}}};
+  const std::vector<TaxelFit> fits{{5, "", 0.1, 0.5, 0.875, 0.25, 1, 7}, {9, "is constant, at 0"}};
+  EXPECT_EQ(fits_csv(fits, mapping, "Pa", -0.5),
+            "taxel,column,gain,gain_unit,offset,r2,rms,unit,shift_s,points,refused\n"
+            "5,p5,0.1,V/Pa,0.5,0.875,0.25,V,-0.5,7,\n"
+            "9,\"left, low\",,V/Pa,,,,V,-0.5,0,\"is constant, at 0\"\n");
 }
 
 }  // namespace

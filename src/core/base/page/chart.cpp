@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/base/error.h"
 #include "core/base/page/curve.h"
@@ -276,6 +277,7 @@ class ChartDrawing {
       add_y_axis(panel, place);
     if (panel.dots) add_dots(panel, place);
     for (const ChartCurve& curve : panel.curves) add_curve(panel, place, curve);
+    for (const ChartRings& rings : panel.rings) add_rings(panel, place, rings);
     add_line({{place.left, place.top},
               {place.left, place.bottom},
               {place.right, place.bottom},
@@ -334,6 +336,30 @@ class ChartDrawing {
     constexpr double kHalf = 2;  // [points]
     const double x = place.x(panel.x, point.x[0]), y = place.y(panel.y, point.y[0]);
     page_.items.emplace_back(PageRect{{x - kHalf, y - kHalf}, {x + kHalf, y + kHalf}, style.color});
+  }
+
+  void add_rings(const ChartPanel& panel, const PanelPlace& place, const ChartRings& rings) {
+    constexpr double kApart = 4.2;  // [points]
+    PagePoint last{-1e9, 0};
+    for (std::size_t i = 0; i < rings.points.x.size(); ++i) {
+      const double x = rings.points.x[i], y = rings.points.y[i];
+      if (!(x >= panel.x.low && x <= panel.x.high && y >= panel.y.low && y <= panel.y.high)) continue;
+      const PagePoint at{place.x(panel.x, x), place.y(panel.y, y)};
+      if (std::hypot(at.x - last.x, at.y - last.y) < kApart) continue;
+      add_ring(at, rings.color);
+      last = at;
+    }
+  }
+
+  void add_ring(PagePoint at, const PageColor& color) {
+    constexpr double kRadius = 1.6, kWidth = 0.8;  // [points]
+    constexpr int kCorners = 12;
+    std::vector<PagePoint> points;
+    for (int i = 0; i <= kCorners; ++i) {
+      const double angle = 2 * std::numbers::pi * (i % kCorners) / kCorners;
+      points.push_back({at.x + kRadius * std::cos(angle), at.y + kRadius * std::sin(angle)});
+    }
+    page_.items.emplace_back(PageLine{points, color, kWidth, {}, 0});
   }
 
   /// Draws neighbours of the same colour as one rectangle. Each rectangle reaches under its right and lower neighbours,
@@ -407,7 +433,10 @@ class ChartDrawing {
       }
       const LegendEntry& entry = panel.legend[i];
       if (entry.below) add_swatch({corner.x, y}, *entry.below);
-      add_swatch({corner.x, y}, entry.style);
+      if (entry.is_ring)
+        add_ring({corner.x + 0.5 * kLegendSwatch, y}, entry.style.color);
+      else
+        add_swatch({corner.x, y}, entry.style);
       add_text({corner.x + kLegendSwatch + kLegendGap, y + 3}, entry.label, TextAnchor::start);
     }
   }

@@ -32,11 +32,18 @@ struct ChartCurve {
   LineStyle style;
 };
 
+/// Measured points as rings of one colour, in the units of the axes.
+struct ChartRings {
+  CurvePoints points;
+  PageColor color{};
+};
+
 /// An entry of a legend, next to the axes, where no curve is.
 struct LegendEntry {
   std::string label;
   LineStyle style;
   std::optional<LineStyle> below = {};  ///< look of the curve on which the curve lies
+  bool is_ring = false;                 ///< whether the entry is about rings, not about a curve
 };
 
 /// Values in rows of cells, as colours, with the scale of the colours next to the axes.
@@ -60,6 +67,7 @@ struct ChartPanel {
   std::string title;  ///< may be empty
   ChartAxis x, y;
   std::vector<ChartCurve> curves;  ///< the lowest first
+  std::vector<ChartRings> rings;   ///< over the curves; points outside of the axes are left out
   std::vector<LegendEntry> legend;
   std::optional<ChartCells> cells;  ///< the axis y has the names of its rows
   std::optional<ChartDots> dots;    ///< below the curves
@@ -80,9 +88,9 @@ struct Chart {
 inline constexpr double kMinAxes = 40;
 
 /// Returns the chart on white. Curves are thinned to a resolution of 0.25 points, in which the lowest and the highest
-/// value remain. A legend has columns to the right of its axes. On a page of a given size, legends take at most half of
-/// the width; entries that have no place become "and 7 more". Throws Error if a page of the given size leaves less than
-/// kMinAxes to the axes.
+/// value remain. A ring that would cover the one before it is left out. A legend has columns to the right of its axes.
+/// On a page of a given size, legends take at most half of the width; entries that have no place become "and 7 more".
+/// Throws Error if a page of the given size leaves less than kMinAxes to the axes.
 [[nodiscard]] Page chart_page(const Chart& chart);
 
 /// The numbers at which an axis has ticks.

@@ -20,6 +20,7 @@
 #include <iterator>
 
 #include "core/base/error.h"
+#include "core/base/text/table.h"
 #include "core/sensor/readout/reading.h"
 
 namespace taxel {
@@ -188,8 +189,8 @@ std::optional<Alignment> align(const TaxelSeries& run, const TaxelSeries& real) 
   const std::optional<BestLag> best = best_lag(a, b, middle - around, middle + around);
   if (!best) return std::nullopt;
   // run[i + lag] corresponds to real[i], so the time of the first real value in the run is a.start + lag * interval.
-  return Alignment{a.start + refined(a, b, *best) * interval - b.start, best->correlation.value,
-                   best->correlation.points * interval};
+  const double overlap = std::min((best->correlation.points - 1) * interval, shortest);
+  return Alignment{a.start + refined(a, b, *best) * interval - b.start, best->correlation.value, overlap};
 }
 
 namespace {
@@ -335,6 +336,23 @@ std::string aligned_csv(const TaxelSeries& run, const TaxelSeries& real, double 
       if (fits[f].refused.empty()) fmt::format_to(out, "{}", fits[f].gain * read + fits[f].offset);
     }
     text += '\n';
+  }
+  return text;
+}
+
+std::string fits_csv(const std::vector<TaxelFit>& fits, const ColumnMapping& mapping,
+                     const std::string& unit_of_reading, double shift) {
+  std::string text = "taxel,column,gain,gain_unit,offset,r2,rms,unit,shift_s,points,refused\n";
+  const std::string unit = csv_field(mapping.unit),
+                    gain_unit = csv_field((mapping.unit.empty() ? "1" : mapping.unit) + "/" + unit_of_reading);
+  for (const TaxelFit& fit : fits) {
+    const auto column = std::ranges::find(mapping.taxels, fit.taxel, &TaxelColumn::taxel);
+    const bool is_fitted = fit.refused.empty();
+    const auto number = [&](double value) { return is_fitted ? fmt::format("{}", value) : std::string(); };
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", fit.taxel,
+                        column == mapping.taxels.end() ? "" : csv_field(column->column), number(fit.gain), gain_unit,
+                        number(fit.offset), number(fit.r2), number(fit.residual), unit, shift, fit.points,
+                        csv_field(fit.refused));
   }
   return text;
 }

@@ -67,6 +67,12 @@ std::vector<double> on_run_times(const TaxelSeries& run, const TaxelSeries& real
 std::string aligned_csv(const TaxelSeries& run, const TaxelSeries& real, double shift,
                         const std::vector<TaxelFit>& fits);
 
+/// Returns the fits as a table (CSV) with a row for each taxel: `taxel`, `column` of the recording, `gain` with its
+/// `gain_unit`, `offset`, `r2`, `rms`, `unit` of offset and RMS, `shift_s`, `points`, and `refused`, the reason why
+/// there is no gain. `unit_of_reading` is the unit of the run's readings. Numbers of a refused fit are empty.
+std::string fits_csv(const std::vector<TaxelFit>& fits, const ColumnMapping& mapping,
+                     const std::string& unit_of_reading, double shift);
+
 /// Returns `before` with the fitted gains. For each taxel with a fitted gain, the gain and the tare replace the former
 /// gain, tare and curve of that taxel. The tare gives the fitted offset: recording = gain * (reading - tare), so tare =
 /// -offset / gain. All other values remain. `unit` is the unit of the recording; if empty, the former unit remains.
