@@ -2,7 +2,9 @@
 // the calibration.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <sstream>
 
 #include "script_lines.h"
@@ -50,6 +52,30 @@ Lines imported(const std::string& file) {
   return {
       press("File"), kIdle, press("Import real recording..."), kIdle, key("a", kCtrl), type(file), kIdle, key("Enter"),
       kIdle,         kIdle};
+}
+
+/// Returns lines that choose an entry of File > Export, type the file and press Enter.
+Lines lines_of_export(const std::string& entry, const std::filesystem::path& file) {
+  return {press("File"),       kIdle, press("Export"), kIdle, press(entry), kIdle, key("a", kCtrl),
+          type(file.string()), kIdle, key("Enter"),    kIdle};
+}
+
+bool has_message_with(const Json& state, const std::string& text) {
+  for (const Json& message : state["messages"])
+    if (message["text"].get<std::string>().find(text) != std::string::npos) return true;
+  return false;
+}
+
+std::size_t times_in(const std::string& text, const std::string& part) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}
+
+bool has_labelled(const Json& state, const std::string& label) {
+  for (const Json& widget : state["widgets"])
+    if (widget["label"] == label) return true;
+  return false;
 }
 
 const Lines kTouching{key("="), key("="), simulated_until(1.3), key("Space"), kIdle};
@@ -124,6 +150,87 @@ TEST(Real, OverlaysFitsAndCalibratesWithARecording) {
   EXPECT_NEAR(calibration["tare"].get<double>(), -fit["offset"].get<double>() / fit["gain"].get<double>(), 1e-6);
   EXPECT_FALSE(studio.state("undone.json")["document"]["layout"].contains("calibration"));
   EXPECT_EQ(studio.state("removed.json")["real"]["shown"], nullptr);
+}
+
+/// Returns readings that a run exported, with times 2 s later.
+std::string two_seconds_later(const std::string& readings_csv) {
+  std::istringstream lines(readings_csv);
+  std::string line;
+  std::getline(lines, line);
+  std::ostringstream table;
+  table.precision(12);
+  table << line << "\n";
+  while (std::getline(lines, line)) {
+    const std::size_t comma = line.find(',');
+    table << std::stod(line.substr(0, comma)) + 2 << line.substr(comma) << "\n";
+  }
+  return table.str();
+}
+
+/// Expects a row for each fit, in the units of the recording per pascal.
+void expect_table_of(const Json& fits, const std::string& csv) {
+  std::istringstream table(csv);
+  std::string line;
+  std::getline(table, line);
+  EXPECT_EQ(line, "taxel,column,gain,gain_unit,offset,r2,rms,unit,shift_s,points,refused");
+  int fitted = 0;
+  for (const Json& fit : fits) {
+    ASSERT_TRUE(std::getline(table, line));
+    const std::string begin = fit["taxel"].dump() + ",taxel_" + fit["taxel"].dump() + ",";
+    EXPECT_TRUE(line.starts_with(begin)) << line;
+    if (fit["refused"] != "") continue;
+    EXPECT_NEAR(std::stod(line.substr(begin.size())), fit["gain"].get<double>(), 1e-9);
+    EXPECT_NE(line.find(",1/Pa,"), std::string::npos) << line;
+    ++fitted;
+  }
+  EXPECT_GT(fitted, 2);
+}
+
+TEST(Real, IsAlignedWhenTheRunEndsAndExportedWithThePlotAndTheFit) {
+  const StudioProgram studio;
+  const std::filesystem::path folder = studio.folder();
+  const std::string file = (folder / "real.csv").string();
+  std::vector<std::string> arguments = sparse_samples(studio);
+  arguments.insert(arguments.end(), {"--scenario", TAXEL_SOURCE_DIR "/tests/fixtures/edge_sweep.json"});
+  const Lines whole{simulated_until(4.99), kIdle, kIdle, kIdle}, fast{key("="), key("=")};
+  studio.play(joined({fast, whole, lines_of_export("Export recording...", folder / "run.csv")}), arguments);
+  write_text(file, two_seconds_later(file_text(folder / "run.csv")));
+  studio.play(joined({{key("Right"), kIdle, dump("before.json"), press("Panels"), kIdle, press("Real"), kIdle, kIdle,
+                       dump("opened.json")},
+                      imported(file),
+                      {press("Overlay"), kIdle, kIdle, dump("waits.json"), press("Align"), kIdle, kIdle,
+                       dump("refused.json"), R"({"do": "screenshot", "file": "refused.png"})"},
+                      fast,
+                      {key("Space")},
+                      whole,
+                      {dump("aligned.json"), press("Fit gains"), kIdle, kIdle, dump("fitted.json"),
+                       R"({"do": "screenshot", "file": "fits.png"})"},
+                      lines_of_export("Export plot (SVG, PDF)...", folder / "plot.svg"),
+                      lines_of_export("Export fit of real recording (CSV)...", folder / "fit.csv"),
+                      {press("Remove"), kIdle, kIdle},
+                      lines_of_export("Export plot (SVG, PDF)...", folder / "without.svg")}),
+              arguments);
+  const Json waits = studio.state("waits.json"), refused = studio.state("refused.json"),
+             aligned = studio.state("aligned.json"), fitted = studio.state("fitted.json");
+  EXPECT_FALSE(has_labelled(studio.state("before.json"), "Real tab"));
+  EXPECT_TRUE(has_labelled(studio.state("opened.json"), "Read a recording...")) << "by the menu Panels";
+  EXPECT_TRUE(waits["real"]["shown"]["awaits_end"]);
+  EXPECT_TRUE(
+      has_message_with(waits, "real.csv: not aligned: it does not overlap with enough of the run; it is aligned "))
+      << waits["messages"].dump(1);
+  EXPECT_NE(refused["real"]["refused"].get<std::string>().find("cannot be aligned"), std::string::npos);
+  EXPECT_EQ(aligned["real"]["refused"], "") << "the reason is over";
+  EXPECT_FALSE(aligned["real"]["shown"]["awaits_end"]);
+  EXPECT_NEAR(aligned["real"]["shown"]["shift"].get<double>(), -2, 0.001);
+  EXPECT_TRUE(has_message_with(aligned, "real.csv: aligned with the run: shift -")) << aligned["messages"].dump(1);
+  EXPECT_LE(aligned["real"]["shown"]["overlap"].get<double>(), 5 + 1e-9) << "the run lasts 5 s";
+  EXPECT_NE(fitted["widgets"].dump().find("Lowest R"), std::string::npos);
+
+  const std::string plot = file_text(folder / "plot.svg"), without = file_text(folder / "without.svg");
+  EXPECT_NE(plot.find(">real recording<"), std::string::npos);
+  EXPECT_GT(times_in(plot, "<path"), times_in(without, "<path") + 20) << "rings";
+  EXPECT_EQ(without.find("real recording"), std::string::npos);
+  expect_table_of(fitted["real"]["shown"]["fits"], file_text(folder / "fit.csv"));
 }
 
 TEST(Real, ReportsABadTableInTheDialogThatStaysOpen) {

@@ -142,6 +142,18 @@ TEST(Bindings, ListGuideExamplesShortcutsAndAboutInHelp) {
                                    "Guide to the panel under the mouse", "Keys and mouse", "Tour", "User guide"}));
 }
 
+TEST(Bindings, OpenEachPanelThatTheUserCloses) {
+  std::set<const Feature*> opened;
+  for (const Binding& row : bindings())
+    if (const auto* toggle = row.command.get_if<TogglePanel>()) opened.insert(toggle->panel);
+  for (const Feature* row : features())
+    if (row->opens != Opens::never) EXPECT_TRUE(opened.contains(row)) << row->title;
+  std::set<std::string> panels;
+  for (const Binding& row : bindings())
+    if (row.menu != nullptr && std::string(row.menu) == "Panels") panels.insert(row.label);
+  EXPECT_TRUE(panels.contains("Real"));
+}
+
 TEST(Bindings, SeparateTheBlocksOfAMenuByLines) {
   std::set<std::string> separated;
   for (const Binding& row : bindings())

@@ -112,6 +112,7 @@ TEST(DesktopTask, ListsTheFilesOfItsTask) {
       {FileTask::export_taxels, true, "*.csv *.CSV"},
       {FileTask::export_samples, true, "*.csv *.CSV"},
       {FileTask::export_comparison, true, "*.csv *.CSV"},
+      {FileTask::export_fits, true, "*.csv *.CSV"},
       {FileTask::export_sheet, true, "*.html *.HTML"},
       {FileTask::export_plot, true, "*.svg *.SVG *.pdf *.PDF"},
       {FileTask::export_frame, true, "*.taxelframe *.TAXELFRAME"},

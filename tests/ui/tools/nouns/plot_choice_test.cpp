@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 
+#include "app/studio/nouns/real/real_state.h"
 #include "core/base/text/rounded.h"
 #include "ui/tools/hand_frame.h"
 #include "ui/widgets/plot_curves.h"
@@ -117,14 +118,14 @@ TEST(ChooseCurves, PutsCurvesOfMirrorTwinsThatLieOnEachOtherIntoOneGroup) {
 }
 
 TEST(LegendEntries, JoinTaxelsWithEqualCurvesOnly) {
-  PlotCurves curves = curves_with_peaks({100, 50, 101, 55});
+  PlotCurves curves = curves_with_peaks({100, 50, 100.1, 50.5});
   std::vector<ChosenCurve> chosen(4);
   for (std::size_t i = 0; i < chosen.size(); ++i)
     chosen[i].reading = i, chosen[i].key = {0, static_cast<int>(i)}, chosen[i].label = std::to_string(i);
   find_twins(curves, chosen);
   Labels labels;
   for (const LegendEntry& entry : legend_entries(chosen)) labels.push_back(entry.label);
-  EXPECT_EQ(labels, (Labels{"0 = 2", "1", "3"})) << "55 is not within 2 % of 50";
+  EXPECT_EQ(labels, (Labels{"0 = 2", "1", "3"})) << "50.5 is not within 0.2 % of 50";
   EXPECT_EQ(focus_of(chosen, TaxelKey{0, 0}, {}), (std::vector<TaxelKey>{{0, 0}, {0, 2}}));
   EXPECT_EQ(focus_of(chosen, std::nullopt, {{0, 2}}), (std::vector<TaxelKey>{{0, 0}, {0, 2}}));
   PlotChoice choice;
@@ -133,6 +134,27 @@ TEST(LegendEntries, JoinTaxelsWithEqualCurvesOnly) {
   ASSERT_TRUE(readout);
   EXPECT_EQ(readout->lines[0].label, "0 = 2");
   EXPECT_EQ(readout->omitted, 2U);
+}
+
+TEST(PartTwins, GivesTaxelsThatDifferInTheRecordingTheirOwnEntries) {
+  std::vector<ChosenCurve> equal(2);
+  equal[0].key = {0, 4}, equal[1].key = {0, 10};
+  equal[1].twin = 0;
+  const auto twin_with = [&](std::vector<double> second, int sensor) {
+    auto shown = std::make_shared<RealShown>();
+    shown->sensor = sensor;
+    shown->recording.series.taxel_ids = {4, 10};
+    shown->recording.series.values = {{0, 10}, std::move(second)};
+    RealState real;
+    real.shown = shown;
+    std::vector<ChosenCurve> curves = equal;
+    part_twins(curves, real);
+    return curves[1].twin;
+  };
+  EXPECT_EQ(twin_with({0, 10.01}, 0), 0);
+  EXPECT_EQ(twin_with({0, 10.5}, 0), -1);
+  EXPECT_EQ(twin_with({std::nan(""), 10}, 0), -1) << "a value is missing";
+  EXPECT_EQ(twin_with({0, 10.5}, 1), 0) << "a recording of another sensor";
 }
 
 /// At each length along the curve, the topmost drawn member of a group of `of` curves must change from dash to dash.
@@ -246,6 +268,24 @@ TEST(PlotPage, HasTheColoursOfTheWindowsLightTheme) {
     };
     EXPECT_TRUE(std::any_of(page.items.begin(), page.items.end(), has_color));
   }
+}
+
+TEST(PlotPage, HasTheRingsOfARecordingWithinTheAxes) {
+  PlotCurves curves = curves_with_peaks({100});
+  const RunView run = run_of({{"index", {0}}});
+  const PlotChoice choice = choose_curves(curves, sensors_shown(run), {}, {}, {});
+  const PlotAxes axes{"time (s)", "reading (kPa)", 0.2, 0.1};
+  const ChartRings rings{{{0.05, 0.1, 0.1, 0.15, 0.3}, {0.02, 0.04, 0.04, 0.2, 0.05}}, {1, 0, 0}};
+  const auto rings_on = [&](const Page& page) {
+    return std::ranges::count_if(page.items, [](const PageItem& item) {
+      const auto* line = std::get_if<PageLine>(&item);
+      return line != nullptr && line->points.size() == 13;
+    });
+  };
+  EXPECT_EQ(rings_on(plot_page(curves, choice, {}, axes, false, "hand")), 0);
+  const Page page = plot_page(curves, choice, {}, axes, false, "hand", {rings});
+  EXPECT_EQ(rings_on(page), 3) << "two within the axes at different places, and that of the legend";
+  EXPECT_NE(page_to_svg(page).find(">real recording<"), std::string::npos);
 }
 
 TEST(PlotPage, GrowsByColumnsForALongLegend) {

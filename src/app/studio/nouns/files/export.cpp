@@ -23,6 +23,7 @@
 #include "app/studio/nouns/files/files_state.h"
 #include "app/studio/nouns/files/watched_files.h"
 #include "app/studio/nouns/plot/plot_state.h"
+#include "app/studio/nouns/real/real_state.h"
 #include "app/studio/nouns/timeline/run_commands.h"
 #include "app/studio/nouns/video/video_commands.h"
 #include "app/studio/nouns/video/video_state.h"
@@ -141,7 +142,7 @@ Lost write_sheet(Host& host, const ui::ExportFile& wanted) {
 Lost write_plot(Host& host, const ui::ExportFile& wanted) {
   const std::optional<Page> page =
       ui::displayed_plot(host.app.shown->run, host.app.viewer->selection, host.app.get<ui::PlotState>(),
-                         host.app.shown->document.name + ": readings of taxels");
+                         host.app.get<ui::RealState>(), host.app.shown->document.name + ": readings of taxels");
   if (!page) throw Error(wanted.path, "there is no curve yet: run the simulation first");
   write_file_atomically(wanted.path, wanted.path.ends_with(".pdf") ? page_to_pdf(*page) : page_to_svg(*page));
   return {};
@@ -152,6 +153,11 @@ Lost write_comparison(Host& host, const ui::ExportFile& wanted) {
   if (!table) throw Error(wanted.path, "no two layouts are compared any more");
   write_file_atomically(wanted.path, table->csv);
   return {table->names};
+}
+
+Lost write_fits(Host& host, const ui::ExportFile& wanted) {
+  write_file_atomically(wanted.path, ui::table_of_fits(host.app));
+  return {};
 }
 
 Lost write_step(Host& host, const ui::ExportFile& wanted) {
@@ -215,6 +221,7 @@ constexpr std::array kExports = {
     Export{ui::FileTask::export_plot, has_plot, write_plot},
     Export{ui::FileTask::export_comparison, [](const Host& host) { return ui::has_comparison_table(host.app); },
            write_comparison},
+    Export{ui::FileTask::export_fits, [](const Host& host) { return ui::has_fits(host.app); }, write_fits},
     Export{ui::FileTask::export_frame, has_sensors, write_step},
     Export{ui::FileTask::export_recording, has_steps, nullptr, begin_recording},
     Export{ui::FileTask::keep_recording, [](const Host&) { return true; }, nullptr, begin_kept_recording},

@@ -103,6 +103,8 @@ constexpr std::array kTaskRows = {
                 "Layouts", all_layouts},
     FileTaskRow{FileTask::export_comparison, "Export the readings of both layouts", "Export", ".csv", kWrites, "Tables",
                 [] { return Extensions{".csv"}; }},
+    FileTaskRow{FileTask::export_fits, "Export the fit of the real recording", "Export", ".csv", kWrites, "Tables",
+                [] { return Extensions{".csv"}; }},
     FileTaskRow{FileTask::save_scene, "Save the scene with its sensors", "Save", ".xml", kWrites, "MuJoCo scenes",
                 [] { return Extensions{".xml"}; }},
     FileTaskRow{FileTask::save_study, "Save the study as a batch: a new folder", "Save", "", kWrites, "Folders",

@@ -26,6 +26,7 @@ enum class FileTask {
   attach_layout,
   compare_layout,     ///< a second layout for the run
   export_comparison,  ///< the readings of both layouts
+  export_fits,        ///< gains of a real recording
   save_scene,
   save_study,  ///< the displayed study, as a batch
   open_study   ///< a batch in the panel of studies

@@ -37,13 +37,6 @@ constexpr float kMaxLegend = 0.4f;
 
 constexpr float kChooserWidth = 11;  // width of the chosen sensor, in heights of text
 
-/// Returns the index in a trace row at which the readings of the selected sensor begin.
-std::size_t first_reading(const Viewer& viewer, const std::vector<SensorShown>& sensors) {
-  for (const SensorShown& sensor : sensors)
-    if (sensor.index == viewer.selection.sensor) return sensor.first;
-  return 0;
-}
-
 /// Continues the row if an item of this width fits into it.
 void same_line_if_fits(float gap, float width) {
   ImGui::SameLine(0, gap);
@@ -262,7 +255,7 @@ void draw_plot(WindowUi& ui, Viewer& viewer, const RunView& run, RealState& real
     }
     if (is_reading) draw_compared_curves(ui, plot, sensors, scale, false);
     if (is_reading && !plot.shown.close_up)
-      draw_real_curves(ui, viewer.selection, run, real, plot, scale, choice.largest, first_reading(viewer, sensors));
+      draw_real_curves(ui, viewer.selection, run, real, plot, scale, choice.largest, sensors);
     draw_polish_mark(ui, curves);
     draw_plot_cursor(ui, run);
     if (is_reading) plot.shown.errors = draw_plot_errors(ui, run, sensors, choice.curves, scale);
@@ -288,6 +281,7 @@ void draw_readings_plot(App& app) {
                 available_quantity(sensors, plot.quantity));
   plot.shown.choice =
       choose_curves(plot.curves, sensors, app.viewer->selection, plot.options, stopped_taxel(shown.run, sensors));
+  part_twins(plot.shown.choice.curves, app.get<RealState>());
   const ProjectPtr& project = shown.document.editing.project;
   if (plot.before && project && project->layout == plot.before->after) plot.shown.before = plot.before;
   place_options(*app.ui, plot, plot.shown.choice, sensors, app.viewer->selection, app.get<SensorChooser>());

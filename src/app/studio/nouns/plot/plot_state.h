@@ -13,6 +13,7 @@
 #include "app/studio/frame/feature.h"
 #include "app/studio/frame/sensors_shown.h"
 #include "app/studio/nouns/plot/close_up.h"
+#include "core/base/page/chart.h"
 #include "core/base/page/curve.h"
 #include "core/base/page/page.h"
 #include "core/run/step.h"
@@ -73,8 +74,13 @@ const CurvePoints& drawn_curve(PlotCurves& curves, std::size_t reading, double c
 const std::vector<int>& leaders_among(PlotCurves& curves, const std::vector<std::size_t>& readings,
                                       const std::function<std::vector<int>()>& twins = nullptr);
 
-/// Largest distance of two curves that count as equal, as a fraction of the peak of the later one.
-inline constexpr double kEqualCurves = 0.02;
+/// Largest distance of two curves that count as equal, as a fraction of the peak of the later one: less than a pixel in
+/// a plot of 500 pixels.
+inline constexpr double kEqualCurves = 0.002;
+
+/// Returns whether two curves differ by no more than kEqualCurves. A curve without a value above 0 equals none. A value
+/// that is missing in one of them, which is NaN, has to be missing in the other too.
+[[nodiscard]] bool are_equal_curves(std::span<const double> first, std::span<const double> second);
 
 struct PlotOptions {
   bool relative = true;         ///< plot fractions of the run's largest reading (Figure 4) instead of kPa
@@ -221,14 +227,22 @@ void carry_out(const ToggleWholeRun& command, App& app);
 /// Returns the axes of a run: the whole length of its scenario if that is known, otherwise up to the displayed step.
 [[nodiscard]] PlotAxes plot_axes(const RunView& run, const PlotChoice& choice, bool relative);
 
-/// Returns the plot as a page in vectors, for SVG and PDF files: on white, with a legend: 6 x 3.6 inches, and wider by
-/// the columns of a long legend. Curves that do not stand out from `focus` are pale.
-[[nodiscard]] Page plot_page(PlotCurves& curves, const PlotChoice& choice, const std::vector<TaxelKey>& focus,
-                             const PlotAxes& axes, bool relative, const std::string& title);
+/// Returns the colour of a curve on paper: the colour that the curve has in the window's light theme.
+[[nodiscard]] PageColor page_color(int number, bool dimmed);
 
-/// Returns the page of the plot as its panel shows it, also if the panel is closed. Empty without curves.
+/// Returns the plot as a page in vectors, for SVG and PDF files: on white, with a legend: 6 x 3.6 inches, and wider by
+/// the columns of a long legend. Curves that do not stand out from `focus` are pale. `rings` are those of a real
+/// recording.
+[[nodiscard]] Page plot_page(PlotCurves& curves, const PlotChoice& choice, const std::vector<TaxelKey>& focus,
+                             const PlotAxes& axes, bool relative, const std::string& title,
+                             std::vector<ChartRings> rings = {});
+
+struct RealState;
+
+/// Returns the page of the plot as its panel shows it, with the rings of a real recording, also if the panel is closed.
+/// Empty without curves.
 [[nodiscard]] std::optional<Page> displayed_plot(const RunView& run, const Selection& selection, PlotState& plot,
-                                                 const std::string& title);
+                                                 RealState& real, const std::string& title);
 
 /// Readings over travel or time.
 extern const Feature kPlot;

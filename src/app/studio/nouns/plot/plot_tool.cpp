@@ -10,6 +10,7 @@
 #include "app/studio/frame/app.h"
 #include "app/studio/nouns/plot/plot_drawing.h"
 #include "app/studio/nouns/plot/plot_state.h"
+#include "app/studio/nouns/real/real_state.h"
 #include "core/base/page/chart.h"
 #include "core/layout/generators/mirror.h"
 #include "core/run/plot/curve_styles.h"
@@ -110,19 +111,16 @@ const CurvePoints& drawn_curve(PlotCurves& curves, std::size_t reading, double c
   return drawn;
 }
 
-namespace {
-
-/// Returns whether the curves of two taxels are equal, as far as a plot can show.
-bool are_equal(std::span<const double> first, std::span<const double> second) {
+bool are_equal_curves(std::span<const double> first, std::span<const double> second) {
   double peak = 0, distance = 0;
   for (std::size_t i = 0; i < first.size(); ++i) {
+    if (std::isnan(first[i]) != std::isnan(second[i])) return false;
+    if (std::isnan(first[i])) continue;
     peak = std::max(peak, std::abs(second[i]));
     distance = std::max(distance, std::abs(first[i] - second[i]));
   }
   return peak > 0 && distance <= kEqualCurves * peak;
 }
-
-}  // namespace
 
 const std::vector<int>& leaders_among(PlotCurves& curves, const std::vector<std::size_t>& readings,
                                       const std::function<std::vector<int>()>& twins) {
@@ -136,7 +134,7 @@ const std::vector<int>& leaders_among(PlotCurves& curves, const std::vector<std:
   curves.equals = curves.leaders;
   for (std::size_t i = 0; i < lines.size(); ++i)
     if (const int leader = curves.equals[i];
-        leader >= 0 && !are_equal(lines[static_cast<std::size_t>(leader)], lines[i]))
+        leader >= 0 && !are_equal_curves(lines[static_cast<std::size_t>(leader)], lines[i]))
       curves.equals[i] = -1;
   curves.paired = readings;
   curves.paired_rows = curves.x.size();
@@ -358,17 +356,16 @@ std::optional<PlotReadout> read_curves(const PlotCurves& curves, const PlotChoic
   return readout;
 }
 
-namespace {
-
-constexpr double kPageWidth = 432;  // smallest width of the page [points]
-
-/// Returns the colour of a curve on paper: the colour that the curve has in the window's light theme.
 PageColor page_color(int number, bool dimmed) {
   const ImVec4 shown = curve_color(number, false);
   glm::vec3 c(shown.x, shown.y, shown.z);
   if (dimmed) c = glm::mix(glm::vec3(1), c, kDimmedAlpha);
   return {static_cast<double>(c.x), static_cast<double>(c.y), static_cast<double>(c.z)};
 }
+
+namespace {
+
+constexpr double kPageWidth = 432;  // smallest width of the page [points]
 
 /// Returns the look of a curve on paper. Pixels of the window are 0.6 points.
 LineStyle paper_style(const ChosenCurve& curve, const CurveStyle& style) {
@@ -429,7 +426,7 @@ void carry_out(const ToggleWholeRun&, App& app) {
 }
 
 Page plot_page(PlotCurves& curves, const PlotChoice& choice, const std::vector<TaxelKey>& focus, const PlotAxes& axes,
-               bool relative, const std::string& title) {
+               bool relative, const std::string& title, std::vector<ChartRings> rings) {
   ChartPanel panel;
   panel.x = {axes.x_begin, axes.x_end, axes.x_name, true};
   panel.y = {0, axes.y_end, axes.y_name, true};
@@ -445,6 +442,8 @@ Page plot_page(PlotCurves& curves, const PlotChoice& choice, const std::vector<T
     panel.legend.push_back({entry.label, paper_style(last, style_of(last, focus))});
     if (entry.curves.size() > 1) panel.legend.back().below = paper_style(first, style_of(first, focus));
   }
+  if (!rings.empty()) panel.legend.push_back({"real recording", {}, {}, true});
+  panel.rings = std::move(rings);
   Chart chart;
   chart.title = title;
   chart.min_width = kPageWidth;
@@ -452,14 +451,16 @@ Page plot_page(PlotCurves& curves, const PlotChoice& choice, const std::vector<T
   return chart_page(chart);
 }
 
-std::optional<Page> displayed_plot(const RunView& run, const Selection& selection, PlotState& plot,
+std::optional<Page> displayed_plot(const RunView& run, const Selection& selection, PlotState& plot, RealState& real,
                                    const std::string& title) {
   const std::vector<SensorShown> sensors = sensors_shown(run);
   if (sensors.empty() || !run.frame->trace || run.frame->trace->rows.empty()) return std::nullopt;
   update_curves(plot.curves, *run.frame->trace, run.by_travel(), available_quantity(sensors, plot.quantity));
-  const PlotChoice choice = choose_curves(plot.curves, sensors, selection, plot.options, stopped_taxel(run, sensors));
+  PlotChoice choice = choose_curves(plot.curves, sensors, selection, plot.options, stopped_taxel(run, sensors));
+  part_twins(choice.curves, real);
   return plot_page(plot.curves, choice, focus_of(choice.curves, std::nullopt, plot.isolated),
-                   plot_axes(run, choice, choice.relative), choice.relative, title);
+                   plot_axes(run, choice, choice.relative), choice.relative, title,
+                   real_rings(selection, run, real, plot, choice, sensors));
 }
 
 }  // namespace taxel::ui

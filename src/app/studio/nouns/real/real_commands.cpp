@@ -1,5 +1,6 @@
 #include "app/studio/nouns/real/real_commands.h"
 
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -68,7 +69,7 @@ void RealOverlay::look(ui::RealState& state) const {
   }
 }
 
-bool RealOverlay::overlay(ui::RealState& state, const TaxelSeries& run, int sensor) {
+bool RealOverlay::overlay(ui::RealState& state, const TaxelSeries& run, int sensor, bool run_goes_on) {
   auto shown = std::make_shared<ui::RealShown>();
   state.problem.clear();
   try {
@@ -80,6 +81,8 @@ bool RealOverlay::overlay(ui::RealState& state, const TaxelSeries& run, int sens
   shown->file = state.file;
   shown->sensor = sensor;
   shown->unit = state.mapping.unit;
+  shown->mapping = state.mapping;
+  shown->awaits_end = run_goes_on;
   if (!run.time.empty()) shown->alignment = taxel::align(run, shown->recording.series);
   // A recording that cannot be aligned yet begins with the run.
   const double begin = run.time.empty() ? 0 : run.time.front();
@@ -89,14 +92,22 @@ bool RealOverlay::overlay(ui::RealState& state, const TaxelSeries& run, int sens
   return true;
 }
 
+void RealOverlay::stop_waiting() {
+  if (!shown_ || !shown_->awaits_end) return;
+  auto shown = std::make_shared<ui::RealShown>(*shown_);
+  shown->awaits_end = false;
+  shown_ = std::move(shown);
+}
+
 void RealOverlay::align(const TaxelSeries& run) {
   if (!shown_) return;
   auto shown = std::make_shared<ui::RealShown>(*shown_);
   shown->alignment = taxel::align(run, shown->recording.series);
   if (!shown->alignment)
     throw Error(shown->file,
-                "cannot be aligned: no shift gives an overlap of half of the shorter signal with changing readings; "
-                "run the simulation on, or type a shift");
+                "cannot be aligned: no shift lets half of the shorter signal overlap with changing readings. Let the "
+                "run go on to its end, or type a shift");
+  shown->awaits_end = false;
   shown->shift = shown->alignment->shift;
   shown->fits.clear();
   shown_ = std::move(shown);
@@ -105,6 +116,7 @@ void RealOverlay::align(const TaxelSeries& run) {
 void RealOverlay::shift(double seconds) {
   if (!shown_) return;
   auto shown = std::make_shared<ui::RealShown>(*shown_);
+  shown->awaits_end = false;
   shown->shift = seconds;
   shown->alignment.reset();
   shown->fits.clear();
@@ -114,6 +126,7 @@ void RealOverlay::shift(double seconds) {
 void RealOverlay::fit(const TaxelSeries& run, const FitOptions& options) {
   if (!shown_) return;
   auto shown = std::make_shared<ui::RealShown>(*shown_);
+  shown->awaits_end = false;
   shown->options = options;
   shown->fits = fit_gains(run, shown->recording.series, shown->shift, options);
   if (shown->fits.empty()) throw Error(shown->file, "has none of the sensor's taxels");
@@ -133,24 +146,56 @@ void read_real(Host& host, const std::string& path) {
   }
 }
 
-/// Applies the gains as an edit of the layout. If that fails, the panel shows the reason.
+/// Applies the gains as an edit of the layout. Throws Error if they cannot be applied.
 void apply_gains(Host& host) {
   if (!host.app.get<RealOverlay>().shown() || !host.edits().is_open()) return;
-  try {
-    const std::optional<Calibration>& before = host.edits().project()->layout.calibration;
-    const SetCalibration edit{
-        with_gains(before, host.app.get<RealOverlay>().shown()->fits, host.app.get<RealOverlay>().shown()->unit)};
-    host.edits().edit(edit);
-  } catch (const Error& error) {
-    host.app.get<ui::RealState>().applied = shown_message(error);
-    return;
-  }
+  const std::optional<Calibration>& before = host.edits().project()->layout.calibration;
+  const SetCalibration edit{
+      with_gains(before, host.app.get<RealOverlay>().shown()->fits, host.app.get<RealOverlay>().shown()->unit)};
+  host.edits().edit(edit);
   after_edit(host);
 }
 
+void say(Host& host, Severity severity, const std::string& text) {
+  ui::add_message(host.app.get<ui::Messages>(), severity, text, ImGui::GetTime());
+}
+
+/// Says at which shift a recording lies, or why it is not aligned.
+void report_alignment(Host& host) {
+  const ui::RealShown& shown = *host.app.get<RealOverlay>().shown();
+  const std::string name = std::filesystem::path(shown.file).filename().string();
+  const char* const later =
+      shown.awaits_end ? "; it is aligned when the run ends" : ". Run on and press Align, or type a shift";
+  if (shown.alignment)
+    return say(host, Severity::note,
+               fmt::format("{}: aligned with the run: shift {:.4f} s, correlation {:.3f}{}", name, shown.shift,
+                           shown.alignment->correlation, shown.awaits_end ? "; aligned again when the run ends" : ""));
+  say(host, shown.awaits_end ? Severity::note : Severity::warning,
+      fmt::format("{}: not aligned: it does not overlap with enough of the run{}", name, later));
+}
+
+void overlay_recording(Host& host, const TaxelSeries& run, int sensor) {
+  RealOverlay& real = host.app.get<RealOverlay>();
+  const ui::RunView& view = host.app.shown->run;
+  const bool has_end = !view.frame || view.frame->scene->duration > 0;
+  if (!real.overlay(host.app.get<ui::RealState>(), run, sensor, has_end && !ui::is_over(view))) return;
+  for (const bool analyse : {false, true}) host.app.get<ui::PanelsShown>().in(analyse, ui::kReal) = true;
+  for (const std::string& text : real.shown()->recording.notes)
+    say(host, Severity::warning, real.shown()->file + ": " + text);
+  report_alignment(host);
+}
+
+void align_at_end(Host& host, const TaxelSeries& run) {
+  RealOverlay& real = host.app.get<RealOverlay>();
+  real.stop_waiting();  // if it fails, it is not tried in every frame
+  real.align(run);
+  report_alignment(host);
+}
+
 void carry_out_task(Host& host, ui::RealTask task) {
-  host.app.get<ui::RealState>().applied.clear();
-  const bool compared = task == ui::RealTask::overlay || task == ui::RealTask::align || task == ui::RealTask::fit;
+  host.app.get<ui::RealState>().refused.clear();
+  const bool compared = task == ui::RealTask::overlay || task == ui::RealTask::align ||
+                        task == ui::RealTask::align_at_end || task == ui::RealTask::fit;
   const int sensor = host.app.get<RealOverlay>().shown() && task != ui::RealTask::overlay
                          ? host.app.get<RealOverlay>().shown()->sensor
                          : host.app.viewer->selection.sensor;
@@ -160,11 +205,7 @@ void carry_out_task(Host& host, ui::RealTask task) {
       case ui::RealTask::look:
         return host.app.get<RealOverlay>().look(host.app.get<ui::RealState>());
       case ui::RealTask::overlay:
-        if (host.app.get<RealOverlay>().overlay(host.app.get<ui::RealState>(), run, sensor))
-          for (const std::string& note : host.app.get<RealOverlay>().shown()->recording.notes)
-            ui::add_message(host.app.get<ui::Messages>(), Severity::warning,
-                            host.app.get<RealOverlay>().shown()->file + ": " + note, ImGui::GetTime());
-        return;
+        return overlay_recording(host, run, sensor);
       case ui::RealTask::save_mapping: {
         const std::string file = mapping_file_of(host.app.get<ui::RealState>().file);
         check_mapping(host.app.get<ui::RealState>().mapping, file);
@@ -173,6 +214,8 @@ void carry_out_task(Host& host, ui::RealTask task) {
       }
       case ui::RealTask::align:
         return host.app.get<RealOverlay>().align(run);
+      case ui::RealTask::align_at_end:
+        return align_at_end(host, run);
       case ui::RealTask::fit:
         return host.app.get<RealOverlay>().fit(run, host.app.get<ui::RealState>().options);
       case ui::RealTask::apply:
@@ -181,10 +224,8 @@ void carry_out_task(Host& host, ui::RealTask task) {
         return host.app.get<RealOverlay>().remove();
     }
   } catch (const Error& error) {
-    if (host.app.get<ui::RealState>().asks)
-      host.app.get<ui::RealState>().problem = shown_message(error);
-    else
-      ui::add_message(host.app.get<ui::Messages>(), Severity::error, shown_message(error), ImGui::GetTime());
+    ui::RealState& real = host.app.get<ui::RealState>();
+    (real.asks ? real.problem : real.refused) = shown_message(error);
   }
 }
 
@@ -202,6 +243,7 @@ void carry_out(const ui::ActOnReal& command, Host& host) {
 }
 
 void carry_out(const ui::ShiftReal& command, Host& host) {
+  host.app.get<ui::RealState>().refused.clear();
   host.app.get<RealOverlay>().shift(command.seconds);
   host.app.get<ui::RealState>().shown = host.app.get<RealOverlay>().shown();
 }

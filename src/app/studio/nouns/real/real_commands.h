@@ -15,6 +15,7 @@ enum class RealTask {
   overlay,       ///< the recording, as the dialog says
   save_mapping,  ///< next to the table
   align,
+  align_at_end,  ///< a recording that waits for the end of the run
   fit,
   apply,  ///< the gains, as the layout's calibration
   remove
@@ -51,9 +52,11 @@ class RealOverlay {
   /// Applies the dialog's mapping to the table. Stores the reason in `state.problem` if the mapping is not valid.
   void look(ui::RealState& state) const;
   /// Displays the recording, aligned with the run if possible. Returns false, with the reason in `state.problem`, if
-  /// the recording cannot be displayed.
-  bool overlay(ui::RealState& state, const TaxelSeries& run, int sensor);
-  // The functions below throw Error if the recording cannot be aligned, shifted or fitted.
+  /// the recording cannot be displayed. With `run_goes_on` it is to be aligned again at the end of the run.
+  bool overlay(ui::RealState& state, const TaxelSeries& run, int sensor, bool run_goes_on = false);
+  /// Leaves the recording as it is when the run ends.
+  void stop_waiting();
+  // The functions below throw Error if the recording cannot be aligned, shifted or fitted. They end the waiting.
   void align(const TaxelSeries& run);
   void shift(double seconds);
   void fit(const TaxelSeries& run, const FitOptions& options);

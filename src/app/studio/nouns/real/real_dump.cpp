@@ -12,11 +12,16 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json shown_real_json(const RealShown& shown) {
-  Json json = {{"file", shown.file},     {"rows", shown.recording.series.time.size()},
-               {"unit", shown.unit},     {"shift", shown.shift},
-               {"correlation", nullptr}, {"notes", shown.recording.notes},
+  Json json = {{"file", shown.file},
+               {"rows", shown.recording.series.time.size()},
+               {"unit", shown.unit},
+               {"shift", shown.shift},
+               {"awaits_end", shown.awaits_end},
+               {"correlation", nullptr},
+               {"notes", shown.recording.notes},
                {"fits", Json::array()}};
-  if (shown.alignment) json["correlation"] = shown.alignment->correlation;
+  json["overlap"] = nullptr;
+  if (shown.alignment) json["correlation"] = shown.alignment->correlation, json["overlap"] = shown.alignment->overlap;
   for (const TaxelFit& fit : shown.fits)
     json["fits"].push_back({{"taxel", fit.taxel},
                             {"refused", fit.refused},
@@ -33,7 +38,7 @@ void dump_real(const App& app, nlohmann::ordered_json& state) {
   const RealState& real = app.get<RealState>();
   Json json = {{"asks", real.asks},
                {"problem", real.problem},
-               {"applied", real.applied},
+               {"refused", real.refused},
                {"columns", real.look.columns},
                {"mapping", Json::parse(mapping_to_json(real.mapping))},
                {"shown", real.shown ? shown_real_json(*real.shown) : Json(nullptr)},

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 #include <imgui.h>
 #include <imgui_internal.h>
-#include <implot.h>
 
 #include <algorithm>
 #include <array>
@@ -14,18 +13,16 @@
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
-#include "app/studio/nouns/plot/plot_state.h"
+#include "app/studio/nouns/files/export.h"
+#include "app/studio/nouns/files/file_dialog_state.h"
 #include "app/studio/nouns/real/real_commands.h"
 #include "app/studio/nouns/real/real_state.h"
-#include "core/base/page/curve.h"
 #include "core/base/text/rounded.h"
 #include "core/sensor/readout/reading.h"
-#include "ui/scene/color_map.h"
 #include "ui/theme.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/fields.h"
 #include "ui/widgets/format.h"
-#include "ui/widgets/plot_curves.h"
 
 namespace taxel::ui {
 namespace {
@@ -39,8 +36,12 @@ void draw_what(WindowUi& ui, const RealShown& real) {
     property("Rows", fmt::format("{}", series.time.size()));
     property("Lasts", fmt::format("{:.6g} s", series.time.back() - series.time.front()));
     property("Taxels", fmt::format("{}", series.taxel_ids.size()));
-    begin_property("Shift (s)", "Added to its times, so that they are the run's");
-    if (const auto typed = number_field(ui, "Shift", {real.shift}, {"s", 0, 6})) ui.post(ShiftReal{*typed});
+    constexpr const char* kShiftTip =
+        "Time of the run = time of the recording + shift.\nNegative: the recording shows the same event later than the "
+        "run";
+    begin_property("Shift (s)", kShiftTip);
+    if (const auto typed = number_field(ui, "Shift", {real.shift}, {"s", 0, 4})) ui.post(ShiftReal{*typed});
+    tooltip(kShiftTip);
     if (real.alignment) {
       property("Correlation", fmt::format("{:.4f}", real.alignment->correlation));
       property("Overlap", fmt::format("{:.4g} s", real.alignment->overlap));
@@ -50,6 +51,7 @@ void draw_what(WindowUi& ui, const RealShown& real) {
   for (const std::string& note : real.recording.notes) caption(note.c_str());
 }
 
+/// Draws the buttons, and the reason why the last one had no effect.
 void draw_steps(WindowUi& ui, RealState& real) {
   if (button(ui, "Align")) ui.post(ActOnReal{RealTask::align});
   tooltip("Find the shift at which recording and run look most alike");
@@ -60,6 +62,11 @@ void draw_steps(WindowUi& ui, RealState& real) {
   if (button(ui, "Remove")) ui.post(ActOnReal{RealTask::remove});
   checkbox(ui, "One gain for all", &real.options.common);
   checkbox(ui, "With offset", &real.options.offset);
+  if (real.shown->awaits_end) caption("The run is not over: the recording is aligned when it ends.");
+  if (real.refused.empty()) return;
+  ImGui::PushTextWrapPos();
+  ImGui::TextColored(palette(ui.dark).error, "%s", real.refused.c_str());
+  ImGui::PopTextWrapPos();
 }
 
 /// Returns the id of a taxel with its name, if it has one.
@@ -75,29 +82,53 @@ std::string fitted_relation(const std::string& unit_of_values, const ReadingUnit
                      unit.text, unit_of_values);
 }
 
-/// Draws a text in the next cell of a table. A long text breaks into lines, so that no name is cut.
-void draw_cell(const std::string& text) {
+/// Draws a number in the next cell of a table, whose column is as wide as its numbers.
+void draw_number(const std::string& text) {
   ImGui::TableNextColumn();
-  ImGui::PushTextWrapPos(0);
   ImGui::TextUnformatted(text.c_str());
-  ImGui::PopTextWrapPos();
+}
+
+/// Returns a gain with four digits, without an exponent between 0.0001 and 100 000.
+std::string gain_text(double gain) {
+  const double size = std::abs(gain);
+  return size == 0 || (size >= 1e-4 && size <= 1e5) ? rounded(gain, 4, 8) : fmt::format("{:.4g}", gain);
 }
 
 void draw_fit(const TaxelFit& fit, const Layout& layout, const ReadingUnit& unit) {
   ImGui::TableNextRow();
-  draw_cell(taxel_with_name(layout, fit.taxel));
-  if (!fit.refused.empty()) return draw_cell("-");
-  draw_cell(fmt::format("{:.3g}", fit.gain / unit.scale));
-  draw_cell(rounded(fit.offset, 3, 6));
-  draw_cell(with_decimals(fit.r2, 3));
-  draw_cell(rounded(fit.residual, 2, 6));
+  ImGui::TableNextColumn();
+  ImGui::PushTextWrapPos(0);  // a long name breaks into lines, so that it is not cut
+  ImGui::TextUnformatted(taxel_with_name(layout, fit.taxel).c_str());
+  ImGui::PopTextWrapPos();
+  if (!fit.refused.empty()) return draw_number("-");
+  draw_number(gain_text(fit.gain / unit.scale));
+  draw_number(rounded(fit.offset, 4, 6));
+  draw_number(with_decimals(fit.r2, 3));
+  draw_number(rounded(fit.residual, 3, 6));
   tooltip("Root mean square of recording - (gain * reading + offset)");
+}
+
+/// Names the taxel whose recording follows the run least, if several are fitted.
+void draw_worst(WindowUi& ui, const std::vector<TaxelFit>& fits, const Layout& layout) {
+  const TaxelFit* worst = nullptr;
+  int fitted = 0;
+  for (const TaxelFit& fit : fits) {
+    if (!fit.refused.empty()) continue;
+    ++fitted;
+    if (worst == nullptr || fit.r2 < worst->r2) worst = &fit;
+  }
+  if (fitted < 2) return;
+  const std::string text =
+      fmt::format("Lowest R\u00b2: {}, taxel {}", with_decimals(worst->r2, 3), taxel_with_name(layout, worst->taxel));
+  ImGui::PushTextWrapPos();
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+  ui.widgets.note_item(text);
 }
 
 /// Draws the gains, per displayed unit of the readings.
 void draw_fits(WindowUi& ui, const RealShown& real, const Layout& layout) {
-  constexpr auto kFlags = ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp;
-  constexpr float kNameShare = 2, kNumberShare = 1;  // of the width of the columns
+  constexpr auto kFlags = ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingFixedFit;
   if (real.fits.empty()) return;
   const ReadingUnit unit = shown_unit(layout.readout.aggregate);
   const std::string of_values = real.unit.empty() ? "units of the recording" : real.unit;
@@ -106,11 +137,12 @@ void draw_fits(WindowUi& ui, const RealShown& real, const Layout& layout) {
   ImGui::TextDisabled("%s", relation.c_str());
   ImGui::PopTextWrapPos();
   ui.widgets.note_item(relation);
+  draw_worst(ui, real.fits, layout);
   constexpr std::array heads{"Taxel", "Gain", "Offset", "R\u00b2", "RMS"};
   ImGui::PushFont(nullptr, kTextHeight * kSmallText);
   if (!ImGui::BeginTable("fits", static_cast<int>(heads.size()), kFlags)) return ImGui::PopFont();
   for (std::size_t i = 0; i < heads.size(); ++i)
-    ImGui::TableSetupColumn(heads[i], 0, i == 0 ? kNameShare : kNumberShare);
+    ImGui::TableSetupColumn(heads[i], i == 0 ? ImGuiTableColumnFlags_WidthStretch : ImGuiTableColumnFlags_WidthFixed);
   ImGui::TableHeadersRow();
   for (const TaxelFit& fit : real.fits) draw_fit(fit, layout, unit);
   ImGui::EndTable();
@@ -119,16 +151,14 @@ void draw_fits(WindowUi& ui, const RealShown& real, const Layout& layout) {
     if (!fit.refused.empty()) caption(fmt::format("taxel {} {}", fit.taxel, fit.refused).c_str());
 }
 
-void draw_apply(WindowUi& ui, const DocumentView& document, const RealState& real_state, const RealShown& real) {
+void draw_apply(WindowUi& ui, const DocumentView& document, const RealShown& real) {
   if (real.fits.empty()) return;
   ImGui::BeginDisabled(!document.editing.project);
   if (button(ui, "Apply as calibration")) ui.post(ActOnReal{RealTask::apply});
   ImGui::EndDisabled();
   tooltip("The gains, and offsets as tares, become the layout's calibration: an edit that can be undone");
-  if (real_state.applied.empty()) return;
-  ImGui::PushTextWrapPos();
-  ImGui::TextColored(palette(ui.dark).error, "%s", real_state.applied.c_str());
-  ImGui::PopTextWrapPos();
+  if (button(ui, "Export fit (CSV)...")) ui.post(ExportFile{FileTask::export_fits});
+  tooltip("Write gain, offset, R\u00b2 and RMS of each taxel as a table");
 }
 
 /// Returns the layout of the sensor that a recording is drawn over; an empty one if the run has no such sensor.
@@ -146,23 +176,24 @@ void draw_no_recording(WindowUi& ui) {
   tooltip("A table with a column for each taxel");
 }
 
-void draw_real_panel(WindowUi& ui, const Viewer& viewer, const Shown& shown, RealState& real) {
-  const bool stays = viewer.mode == Mode::analyse;
-  if (!shows_run(viewer.mode) || (!real.shown && !stays)) return;
+void draw_real_panel(WindowUi& ui, const Shown& shown, RealState& real, bool& open) {
   if (std::exchange(real.comes_to_front, false)) ImGui::SetNextWindowFocus();
-  bool open = true;
-  if (begin_panel(ui, kReal.title, real.shown ? &open : nullptr)) {
+  if (begin_panel(ui, kReal.title, &open)) {
     if (!real.shown) {
       draw_no_recording(ui);
       return ImGui::End();
     }
     draw_what(ui, *real.shown);
     draw_steps(ui, real);
-    draw_apply(ui, shown.document, real, *real.shown);
+    draw_apply(ui, shown.document, *real.shown);
     if (!real.shown->fits.empty()) draw_fits(ui, *real.shown, layout_of_real(shown.run, *real.shown));
   }
   ImGui::End();
-  if (!open) ui.post(ActOnReal{RealTask::remove});
+}
+
+void align_at_end(App& app) {
+  const RealShownPtr& shown = app.get<RealState>().shown;
+  if (shown && shown->awaits_end && is_over(app.shown->run)) app.ui->post(ActOnReal{RealTask::align_at_end});
 }
 
 std::vector<PanelPart> real_parts() {
@@ -177,16 +208,46 @@ std::vector<PanelPart> real_parts() {
           {"Apply as calibration", "", "Make the gains the calibration of the layout", kSimulate, kWhyNot}};
 }
 
+std::vector<Binding> real_commands() {
+  return {{.command = ExportFile{FileTask::export_fits},
+           .label = "Export fit of real recording (CSV)...",
+           .enabled = has_fits,
+           .menu = "File/Export",
+           .needs = "Fit the gains of a real recording first, in the panel Real"}};
+}
+
 }  // namespace
+
+bool is_over(const RunView& run) {
+  if (!run.frame || !run.frame->trace || run.frame->trace->rows.empty()) return false;
+  const SimScene& scene = *run.frame->scene;
+  return run.frame->finished || (scene.duration > 0 && run.frame->trace->rows.back().time >= scene.duration);
+}
+
+bool has_fits(const App& app) {
+  const RealShownPtr& shown = app.get<RealState>().shown;
+  return shown && !shown->fits.empty();
+}
+
+std::string table_of_fits(const App& app) {
+  const RealShown& real = *app.get<RealState>().shown;
+  const Layout layout = layout_of_real(app.shown->run, real);
+  return fits_csv(real.fits, real.mapping, reading_unit(layout.readout.aggregate), real.shift);
+}
 
 constinit const Feature kReal{
     .title = "Real",
     .dock = Dock::inspector,
-    .draw = [](App& app) { draw_real_panel(*app.ui, *app.viewer, *app.shown, app.get<RealState>()); },
+    .opens = Opens::for_once,
+    .label = "Real",
+    .context = kSimulate,
+    .draw = [](App& app) { draw_real_panel(*app.ui, *app.shown, app.get<RealState>(), app.get<PanelsShown>()[kReal]); },
     .parts = real_parts,
     .guide = "Compare with a real recording",
     .analyse = {.tab = 6, .question = "Does the real sensor read the same?"},
+    .update = align_at_end,
     .draw_card = [](App& app) { draw_real_dialog(*app.ui, *app.viewer, *app.shown, app.get<RealState>()); },
+    .commands = real_commands,
     .dump = dump_real,
 };
 
@@ -233,12 +294,20 @@ void draw_values(WindowUi& ui, RealState& real) {
     if (const auto made = choice_of(ui, "Unit of time", kTimeUnitWords, static_cast<std::size_t>(m.time_unit)))
       m.time_unit = static_cast<TimeUnit>(*made);
   }
-  begin_property("Unit", "Of the values, as it is to be shown");
+  constexpr const char *kUnitTip =
+                           "Unit of the values after gain and offset, such as kPa or V: a name only, nothing is "
+                           "converted",
+                       *kGainTip = "value = gain * number in the table + offset, such as 0.001 for mV shown in V",
+                       *kOffsetTip = "Added after the gain, in the unit of the values";
+  begin_property("Unit", kUnitTip);
   if (const auto typed = text_field(ui, "Unit of values", {m.unit})) m.unit = *typed;
-  begin_property("Gain", "value = gain * field + offset");
+  tooltip(kUnitTip);
+  begin_property("Gain", kGainTip);
   if (const auto typed = number_field(ui, "Gain of values", {m.gain}, {"", 0, -1})) m.gain = *typed;
-  begin_property("Offset", "value = gain * field + offset");
+  tooltip(kGainTip);
+  begin_property("Offset", kOffsetTip);
   if (const auto typed = number_field(ui, "Offset of values", {m.offset}, {"", 0, -1})) m.offset = *typed;
+  tooltip(kOffsetTip);
 }
 
 /// Returns the name of a column in a mapping: its number if another column has the same name.
@@ -350,118 +419,6 @@ void draw_real_dialog(WindowUi& ui, const Viewer& viewer, const Shown& shown, Re
   if (button(ui, "Overlay", size)) ui.post(ActOnReal{RealTask::overlay});
   if (!real.asks) ImGui::CloseCurrentPopup();
   ImGui::EndPopup();
-}
-
-namespace {
-
-/// Returns the plot's x for a time of the run: the travel [mm] in a sweep, otherwise the time [s]. NaN outside of the
-/// run.
-double x_at(const std::vector<TraceRow>& rows, bool sweep, double time) {
-  if (rows.size() < 2 || time < rows.front().time || time > rows.back().time)
-    return std::numeric_limits<double>::quiet_NaN();
-  if (!sweep) return time;
-  const auto next = std::upper_bound(rows.begin() + 1, rows.end() - 1, time,
-                                     [](double t, const TraceRow& row) { return t < row.time; });
-  const TraceRow &a = *(next - 1), &b = *next;
-  const double part = b.time > a.time ? (time - a.time) / (b.time - a.time) : 0;
-  return 1e3 * ((1 - part) * a.travel + part * b.travel);
-}
-
-/// The conversion from a recorded value to the reading that gave it.
-struct AsReading {
-  double gain = 1, offset = 0;
-  [[nodiscard]] double operator()(double value) const { return (value - offset) / gain; }
-};
-
-/// Returns the conversion of a taxel. Without a gain, the largest of all values is scaled to the largest reading.
-AsReading as_reading(const RealShown& real, int taxel, double largest) {
-  for (const TaxelFit& fit : real.fits)
-    if (fit.taxel == taxel && fit.refused.empty()) return {fit.gain, fit.offset};
-  double most = 0;
-  for (const std::vector<double>& values : real.recording.series.values)
-    for (const double value : values) most = std::max(most, std::isnan(value) ? 0.0 : std::abs(value));
-  return {largest > 0 && most > 0 ? most / largest : 1, 0};
-}
-
-void rebuild(RealCurves& kept, const RunView& run, const RealState& real_state, double largest, std::size_t first) {
-  const RealShown& real = *real_state.shown;
-  const Trace& trace = *run.frame->trace;
-  kept = {real_state.shown, trace.edition, trace.rows.size(), first, {}};
-  const TaxelSeries& series = real.recording.series;
-  for (std::size_t k = 0; k < series.taxel_ids.size(); ++k) {
-    RealCurves::Curve& curve = kept.curves.emplace_back();
-    curve.taxel = series.taxel_ids[k];
-    const AsReading reading = as_reading(real, curve.taxel, largest);
-    for (std::size_t i = 0; i < series.time.size(); ++i) {
-      const double x = x_at(trace.rows, run.by_travel(), series.time[i] + real.shift);
-      const double y = series.values[k][i];
-      if (std::isnan(x) || std::isnan(y)) continue;
-      curve.x.push_back(x);
-      curve.y.push_back(reading(y));
-    }
-  }
-}
-
-/// Draws the samples of a recording as rings, as far as they are apart on the screen. Returns their number.
-int draw_points(const RealCurves::Curve& curve, double scale, ImU32 color, float weight, float pixel) {
-  constexpr float kApart = 7, kRadius = 2.6f;  // [pixels at scale 1]
-  ImVec2 last(-1e9f, 0);
-  int drawn = 0;
-  for (std::size_t i = 0; i < curve.x.size(); ++i) {
-    const ImVec2 at = ImPlot::PlotToPixels(curve.x[i], scale * curve.y[i]);
-    if (std::hypot(at.x - last.x, at.y - last.y) < kApart * pixel) continue;
-    ImPlot::GetPlotDrawList()->AddCircle(at, kRadius * pixel, color, 0, weight);
-    last = at;
-    ++drawn;
-  }
-  return drawn;
-}
-
-/// Names the look of a recording in the upper left corner of the plot.
-void draw_points_key(const WindowUi& ui) {
-  constexpr const char* kText = "real recording";
-  const float line = ImGui::GetFontSize();
-  const auto pixel = static_cast<float>(ui.pixel_scale);
-  const Palette& colors = palette(ui.dark);
-  const ImVec2 at(ImPlot::GetPlotPos().x + 0.5f * line, ImPlot::GetPlotPos().y + 0.3f * line);
-  ImDrawList& list = *ImPlot::GetPlotDrawList();
-  const float text = 1.3f * line;
-  list.AddRectFilled(at, {at.x + text + ImGui::CalcTextSize(kText).x + 0.3f * line, at.y + 1.2f * line},
-                     to_u32(colors.raised, 0.85f), 3);
-  list.AddCircle({at.x + 0.7f * line, at.y + 0.6f * line}, 2.6f * pixel, to_u32(colors.text), 0, 1.4f * pixel);
-  list.AddText({at.x + text, at.y + 0.1f * line}, to_u32(colors.text), kText);
-}
-
-/// Returns whether the plot leaves the taxel out because it leaves out the taxel's reading.
-bool is_left_out(const PlotState& plot, std::size_t reading) {
-  if (!plot.options.responding_only || reading >= plot.curves.readings.size()) return false;
-  return !(plot.curves.peaks[reading] > kTaxelResponds * plot.curves.largest);
-}
-
-}  // namespace
-
-void draw_real_curves(WindowUi& ui, const Selection& selection, const RunView& run, RealState& real,
-                      const PlotState& plot, double scale, double largest, std::size_t first) {
-  if (!real.shown || !run.frame->trace || real.shown->sensor != selection.sensor) return;
-  RealCurves& kept = real.curves;
-  const Trace& trace = *run.frame->trace;
-  if (kept.shown != real.shown || kept.edition != trace.edition || kept.rows != trace.rows.size() ||
-      kept.first != first)
-    rebuild(kept, run, real, largest, first);
-  const SensorModel& model = *run.frame->scene->sensors[static_cast<std::size_t>(selection.sensor)];
-  real.points = 0;
-  ImPlot::PushPlotClipRect();
-  for (const RealCurves::Curve& curve : kept.curves) {
-    for (std::size_t k = 0; k < model.layout.taxels.size(); ++k) {
-      if (model.layout.taxels[k].id != curve.taxel || is_left_out(plot, first + k)) continue;
-      const glm::vec3 c = taxel_color(model.color(static_cast<int>(k)));
-      const float weight = (selection.contains(curve.taxel) ? 2.4f : 1.4f) * static_cast<float>(ui.pixel_scale);
-      real.points += draw_points(curve, scale, ImGui::GetColorU32(ImVec4(c.x, c.y, c.z, 1)), weight,
-                                 static_cast<float>(ui.pixel_scale));
-    }
-  }
-  draw_points_key(ui);
-  ImPlot::PopPlotClipRect();
 }
 
 }  // namespace taxel::ui

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/studio/frame/feature.h"
+#include "app/studio/frame/sensors_shown.h"
 #include "app/studio/frame/shown.h"
 #include "app/studio/frame/viewer.h"
 #include "app/studio/frame/window_ui.h"
@@ -23,8 +24,10 @@ struct RealShown {
   int sensor = 0;  ///< index of the sensor in the run
   RealRecording recording;
   std::string unit;                    ///< unit of the recorded values; empty if unknown
+  ColumnMapping mapping;               ///< meaning of the columns of the file
   double shift = 0;                    ///< shift that is added to the recorded times [s]
   std::optional<Alignment> alignment;  ///< alignment that gave the shift; empty if it was typed
+  bool awaits_end = false;             ///< whether it is to be aligned when the run ends
   FitOptions options;                  ///< options of the fits
   std::vector<TaxelFit> fits;          ///< fit of each taxel; empty if not fitted
 };
@@ -53,8 +56,7 @@ struct RealState {
   std::string problem;  ///< reason why the file cannot be read by the mapping, or empty
   // State of the panel:
   FitOptions options;
-  /// Reason why the gains cannot become the layout's calibration. Empty if they can, or if this was not requested.
-  std::string applied;
+  std::string refused;  ///< reason why the last button of the panel had no effect, or empty
   RealCurves curves;
   int points = 0;               ///< number of points that were drawn last
   bool comes_to_front = false;  ///< whether the panel comes to the front when it is drawn next
@@ -65,13 +67,29 @@ struct RealState {
 void draw_real_dialog(WindowUi& ui, const Viewer& viewer, const Shown& shown, RealState& real);
 
 /// Draws the samples of the recording in the present plot as points in the taxels' colours. Values of a taxel with a
-/// gain are drawn as the readings that they stand for. Values of other taxels are scaled so that the largest value is
-/// as high as the largest reading. `scale` converts SI units to the plot's axis, `largest` is the largest reading of
-/// the run, and `first` is the index of the selected sensor's first reading in a row of the trace.
+/// gain are drawn as the readings that gave them. Values of other taxels are scaled so that the largest value is as
+/// high as the largest reading. `scale` converts SI units to the plot's axis, and `largest` is the largest reading of
+/// the run.
 void draw_real_curves(WindowUi& ui, const Selection& selection, const RunView& run, RealState& real,
-                      const PlotState& plot, double scale, double largest, std::size_t first);
+                      const PlotState& plot, double scale, double largest, const std::vector<SensorShown>& sensors);
 
-/// A recording of a real sensor. The panel and its dialog open by its own state.
+/// Returns the same points for the page of the plot, whose curves are up to date. Empty if no recording is shown.
+[[nodiscard]] std::vector<ChartRings> real_rings(const Selection& selection, const RunView& run, RealState& real,
+                                                 const PlotState& plot, const PlotChoice& choice,
+                                                 const std::vector<SensorShown>& sensors);
+
+/// Parts equal curves whose taxels differ in the recording, so that each has its own entry in the legend.
+void part_twins(std::vector<ChosenCurve>& curves, const RealState& real);
+
+/// Returns whether the scenario of the run has come to its end, also while an earlier step is displayed.
+[[nodiscard]] bool is_over(const RunView& run);
+
+/// Returns the fits of all taxels as a table (CSV); see fits_csv(). There must be fits.
+[[nodiscard]] std::string table_of_fits(const App& app);
+/// Returns whether the gains of the recording are fitted.
+[[nodiscard]] bool has_fits(const App& app);
+
+/// A recording of a real sensor. Overlaying a recording opens the panel.
 extern const Feature kReal;
 /// Sets "real": the recording, its columns and the gains.
 void dump_real(const App& app, nlohmann::ordered_json& state);
