@@ -233,11 +233,10 @@ TEST(Explain, GivesTheSameResultAsTheCommandLine) {
   };
   studio.play(
       joined({kJumped,
-              {dump("jumped.json")},
               jump_of("100"),
-              {key("b", kShift), kIdle, key("Space"), wait_time(1.5), key("Space"), kIdle, key("Left", kShift), kIdle},
+              {key("b", kShift), kIdle, key("Space"), wait_time(1.5), key("Space"), kIdle},
               jump_of("0.5"),
-              {kIdle, kIdle, dump("explained.json")}}),
+              {key("Escape"), kIdle, key("Left", kShift), kIdle, kIdle, kIdle, dump("explained.json")}}),
       coarse_layout(studio));
   Json window = studio.state("explained.json")["explain"];
   ASSERT_TRUE(window.is_object());
@@ -252,7 +251,6 @@ TEST(Explain, GivesTheSameResultAsTheCommandLine) {
                    std::to_string(window["time"].get<double>()), "--jump", "0.005", "--json"},
                   studio.folder());
   ASSERT_EQ(said.status, 0) << said.err;
-  EXPECT_EQ(window["step"], studio.state("jumped.json")["simulation"]["history"]["stop"]["step"]);
   EXPECT_NE(window["verdict"]["cause"], "none");
   for (const char* own : {"step", "step_before", "ghost", "selected_polygon"}) window.erase(own);
   EXPECT_EQ(Json::parse(said.out), window);

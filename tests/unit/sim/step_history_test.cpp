@@ -223,5 +223,37 @@ TEST_F(History, RecordsEventsAndJumpsInItsRows) {
   EXPECT_GE(begins, 1);
 }
 
+TEST_F(History, MarksJumpsByTheLargestReadingOfTheRunAsExplanationsDo) {
+  RecordedSimulation run = sweep(700);
+  run.history.set_breakpoints({.jump = 0.02});
+  while (run.history.empty() || run.history.last() < 3000) {
+    if (run.simulator->finished()) break;
+    run.step();
+  }
+  const auto lanes = run.history.lanes();
+  int marked = 0, of_a_small_reading = 0;
+  std::vector<double> so_far(lanes->reading_count, 0.0);
+  std::vector<int> touched(lanes->reading_count, 0);
+  for (std::size_t row = 1; row < lanes->rows(); ++row) {
+    const std::span<const double> before = lanes->readings_of(row - 1), after = lanes->readings_of(row);
+    bool jumps = false, jumps_so_far = false;
+    for (std::size_t k = 0; k < after.size(); ++k) {
+      so_far[k] = std::max(so_far[k], std::abs(after[k]));
+      touched[k] += after[k] != 0 ? 1 : 0;
+      const double change = std::abs(after[k] - before[k]);
+      const bool counts = touched[k] * 0.02 >= 3;
+      jumps = jumps || (counts && change > 0.02 * largest_reading(*lanes, k));
+      jumps_so_far = jumps_so_far || (counts && change > 0.02 * so_far[k]);
+    }
+    const StepMark& mark = lanes->steps[row];
+    EXPECT_EQ(mark.has(StepEvent::jump) || mark.has(StepEvent::jump_at_equal_force), jumps) << "step " << mark.step;
+    EXPECT_EQ(lanes->sensor(row, 0).is_jump, jumps) << "step " << mark.step;
+    marked += jumps ? 1 : 0;
+    of_a_small_reading += jumps_so_far && !jumps ? 1 : 0;
+  }
+  EXPECT_GT(marked, 0);
+  EXPECT_GT(of_a_small_reading, 0) << "the case that the largest reading decides";
+}
+
 }  // namespace
 }  // namespace taxel

@@ -29,8 +29,14 @@ double JumpDetector::largest(std::size_t sensor) const {
   return largest_of(latest_[sensor].history.largest);
 }
 
-double JumpDetector::scale(const ReadingHistory& history, std::size_t taxel, double least, double limit,
-                           bool of_sensor) {
+double JumpDetector::scale(std::size_t sensor, int taxel, double least, bool of_sensor) const {
+  const ReadingHistory& history = latest_[sensor].history;
+  if (static_cast<std::size_t>(taxel) >= history.largest.size()) return std::numeric_limits<double>::infinity();
+  return std::max(of_sensor ? largest_of(history.largest) : history.largest[static_cast<std::size_t>(taxel)], least);
+}
+
+double JumpDetector::counted_scale(const ReadingHistory& history, std::size_t taxel, double least, double limit,
+                                   bool of_sensor) {
   const int touched = of_sensor ? largest_of(history.touched) : history.touched[taxel];
   if (touched * limit < kMaxGrowth) return std::numeric_limits<double>::infinity();
   return std::max(of_sensor ? largest_of(history.largest) : history.largest[taxel], least);
@@ -39,7 +45,7 @@ double JumpDetector::scale(const ReadingHistory& history, std::size_t taxel, dou
 std::vector<double> JumpDetector::scales(std::size_t sensor, double least, double limit, bool of_sensor) const {
   const ReadingHistory& history = latest_[sensor].history;
   std::vector<double> all(history.largest.size());
-  for (std::size_t k = 0; k < all.size(); ++k) all[k] = scale(history, k, least, limit, of_sensor);
+  for (std::size_t k = 0; k < all.size(); ++k) all[k] = counted_scale(history, k, least, limit, of_sensor);
   return all;
 }
 
@@ -53,13 +59,14 @@ const std::vector<std::optional<Jump>>& JumpDetector::compare(std::uint64_t step
     Latest& before = latest_[s];
     add_to_history(now.readings, before.history);
     if (begun_ && before.readings.size() == now.readings.size() && !now.readings.empty()) {
-      const double of_sensor = limits.of_sensor ? scale(before.history, 0, now.least, limits.jump, true) : 0.0;
+      const double of_sensor = limits.of_sensor ? counted_scale(before.history, 0, now.least, limits.jump, true) : 0.0;
       Jump jump{.step = step, .time = time, .sensor = static_cast<int>(s)};
       double largest = -1;
       for (std::size_t k = 0; k < now.readings.size(); ++k) {
         const double change = std::abs(now.readings[k] - before.readings[k]);
         jump.largest_change = std::max(jump.largest_change, change);
-        const double whole = limits.of_sensor ? of_sensor : scale(before.history, k, now.least, limits.jump, false);
+        const double whole =
+            limits.of_sensor ? of_sensor : counted_scale(before.history, k, now.least, limits.jump, false);
         const double part = whole > 0 ? change / whole : 0.0;
         if (part < jump.part || (part == jump.part && !(change > largest))) continue;
         largest = change;

@@ -90,6 +90,8 @@ class JumpDetector {
   void continue_from(std::span<const SensorSignal> sensors, std::span<const ReadingHistory> histories);
   /// Returns the largest reading of all taxels of a sensor so far.
   [[nodiscard]] double largest(std::size_t sensor) const;
+  /// Returns the reading that fractions of one taxel are measured by, whether or not the taxel counts yet.
+  [[nodiscard]] double scale(std::size_t sensor, int taxel, double least, bool of_sensor) const;
   /// Returns for each taxel the reading that fractions are measured by [Pa] or [N]; infinite if the taxel does not
   /// count yet for a threshold `limit`.
   [[nodiscard]] std::vector<double> scales(std::size_t sensor, double least, double limit, bool of_sensor) const;
@@ -101,7 +103,8 @@ class JumpDetector {
     double force = 0;
     ReadingHistory history;
   };
-  static double scale(const ReadingHistory& history, std::size_t taxel, double least, double limit, bool of_sensor);
+  static double counted_scale(const ReadingHistory& history, std::size_t taxel, double least, double limit,
+                              bool of_sensor);
   bool begun_ = false;
   std::vector<Latest> latest_;  // per sensor
   std::vector<std::optional<Jump>> jumps_;

@@ -68,7 +68,7 @@ struct StepRange {
 enum class StepEvent : std::uint8_t {
   contact_begins = 1,
   contact_ends = 2,
-  jump = 4,                 ///< a taxel jumped by more than the threshold
+  jump = 4,                 ///< a taxel jumped by more than the threshold (SensorSummary::is_jump)
   jump_at_equal_force = 8,  ///< a taxel jumped while the force was equal
   other_layout = 16,        ///< the layout differs from that of the previous step
   disagreement = 32         ///< samples and surface disagree; only with that breakpoint
@@ -93,6 +93,9 @@ struct SensorSummary {
   int polygons = 0;
   /// Index of the taxel with the largest relative change, as breakpoints measure it, or -1 if no taxel changed.
   int jumped_taxel = -1;
+  /// Whether the change of that taxel is a jump: above Breakpoints::jump of the largest reading in the run so far. A
+  /// jump of a small reading is none any more when the reading has grown, as for an explanation of the step.
+  bool is_jump = false;
 };
 
 /// The columns of all recorded steps. The step number grows by one from row to row.

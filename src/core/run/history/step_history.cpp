@@ -16,6 +16,7 @@
 #include <cstring>
 #include <limits>
 #include <new>
+#include <numeric>
 #include <utility>
 
 #include "core/base/os/process.h"
@@ -110,7 +111,7 @@ SensorSummary summarize(const SensorView& sensor, double force) {
   return row;
 }
 
-std::uint8_t bit(StepEvent event) {
+constexpr std::uint8_t bit(StepEvent event) {
   return static_cast<std::uint8_t>(event);
 }
 
@@ -132,7 +133,50 @@ void HistoryRows::clear() {
   ++rows_.edition;
   rows_.forgotten_largest.clear();
   rows_.forgotten_touched.clear();
+  jumps_.clear();
   detector_.restart();
+}
+
+void HistoryRows::remember_jumps(RecordedJumps jumps) {
+  const std::span<const double> before = rows_.readings_of(rows_.rows() - 2), now = rows_.readings_of(rows_.rows() - 1);
+  const std::vector<double> scales =
+      detector_.scales(jumps.sensor, jumps.least, jumps.limits.jump, jumps.limits.of_sensor);
+  const std::size_t first = std::accumulate(
+      reading_counts_.begin(), reading_counts_.begin() + static_cast<std::ptrdiff_t>(jumps.sensor), std::size_t{0});
+  for (std::size_t k = 0; k < reading_counts_[jumps.sensor]; ++k) {
+    const double change = std::abs(now[first + k] - before[first + k]);
+    if (change > jumps.limits.jump * scales[k]) jumps.changes.emplace_back(static_cast<int>(k), change);
+  }
+  mark_jump(jumps);
+  jumps_.push_back(std::move(jumps));
+}
+
+bool HistoryRows::mark_jump(const RecordedJumps& jumps) {
+  const std::size_t row = rows_.row_of(jumps.step);
+  SensorSummary& summary = rows_.sensors[row * rows_.sensor_count + jumps.sensor];
+  int taxel = -1;
+  double largest = jumps.limits.jump;
+  for (const auto& [k, change] : jumps.changes) {
+    const double part = change / detector_.scale(jumps.sensor, k, jumps.least, jumps.limits.of_sensor);
+    if (part > largest) largest = part, taxel = k;
+  }
+  const SensorSummary was = summary;
+  summary.is_jump = taxel >= 0;
+  if (taxel >= 0) summary.jumped_taxel = taxel;
+  if (taxel >= 0)
+    rows_.steps[row].events |= bit(jumps.at_equal_force ? StepEvent::jump_at_equal_force : StepEvent::jump);
+  return was.is_jump != summary.is_jump || was.jumped_taxel != summary.jumped_taxel;
+}
+
+bool HistoryRows::mark_jumps() {
+  constexpr unsigned kJumps = bit(StepEvent::jump) | bit(StepEvent::jump_at_equal_force);
+  for (const RecordedJumps& jumps : jumps_) {
+    std::uint8_t& events = rows_.steps[rows_.row_of(jumps.step)].events;
+    events = static_cast<std::uint8_t>(events & ~kJumps);
+  }
+  bool any_changed = false;
+  for (const RecordedJumps& jumps : jumps_) any_changed = mark_jump(jumps) || any_changed;
+  return any_changed;
 }
 
 std::optional<Stop> HistoryRows::add(const StepView& view, bool other_layout, const Breakpoints& breakpoints) {
@@ -145,6 +189,8 @@ std::optional<Stop> HistoryRows::add(const StepView& view, bool other_layout, co
   StepMark mark{view.step, view.time, view.travel, 0};
   if (other_layout) mark.events |= bit(StepEvent::other_layout);
   std::optional<Stop> stop;
+  if (mark_jumps()) ++rows_.edition;
+  std::vector<RecordedJumps> jumped;
   for (std::size_t s = 0; s < view.sensors.size(); ++s) {
     SensorSummary row = summarize(view.sensors[s], signals_[s].force);
     row.largest_reading = detector_.largest(s);
@@ -155,7 +201,7 @@ std::optional<Stop> HistoryRows::add(const StepView& view, bool other_layout, co
       row.largest_jump = jumps[s]->largest_change;
       row.jumped_taxel = row.largest_jump > 0 ? jumps[s]->taxel : -1;
       if (is_jump(*jumps[s], breakpoints))
-        mark.events |= bit(jumps[s]->at_equal_force ? StepEvent::jump_at_equal_force : StepEvent::jump);
+        jumped.push_back({view.step, s, jumps[s]->at_equal_force, breakpoints, signals_[s].least, {}});
       if (!other_layout && !stop && stops(*jumps[s], breakpoints)) stop = *jumps[s];
     }
     rows_.sensors.push_back(row);
@@ -169,6 +215,7 @@ std::optional<Stop> HistoryRows::add(const StepView& view, bool other_layout, co
     if (!stop) stop = *found;
   }
   rows_.steps.push_back(mark);
+  for (const RecordedJumps& each : jumped) remember_jumps(each);
   return stop;
 }
 
@@ -204,6 +251,7 @@ void HistoryRows::trim_to(std::size_t retained) {
     }
   }
   rows_.forget_front(count);
+  while (!jumps_.empty() && (rows_.rows() == 0 || jumps_.front().step < rows_.steps.front().step)) jumps_.pop_front();
 }
 
 /// Returns the history of one sensor, whose first reading has the index `first` in each row.
@@ -244,6 +292,8 @@ void HistoryRows::cut(std::size_t count) {
     reading += reading_counts_[s];
   }
   detector_.continue_from(signals_, histories);
+  while (!jumps_.empty() && jumps_.back().step > rows_.steps.back().step) jumps_.pop_back();
+  mark_jumps();
 }
 
 void StepHistory::set_limits(const StepHistoryLimits& limits) {

@@ -8,6 +8,8 @@
 #include <future>
 #include <memory>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "core/run/history/breakpoints.h"
 #include "core/run/history/lanes.h"
@@ -69,12 +71,29 @@ class HistoryRows {
   void cut(std::size_t count);
 
  private:
+  /// The changes of a sensor's readings in one step that were jumps when the step was recorded.
+  struct RecordedJumps {
+    std::uint64_t step = 0;
+    std::size_t sensor = 0;
+    bool at_equal_force = false;
+    Breakpoints limits;
+    double least = 0;                             ///< SensorSignal::least
+    std::vector<std::pair<int, double>> changes;  ///< taxels, with their changes
+  };
+  /// Finds the jumps of a sensor in the newest row, marks the row, and keeps them for mark_jumps().
+  void remember_jumps(RecordedJumps jumps);
+  /// Marks the rows again in which a taxel has jumped, by the largest readings of the run so far. Returns whether a
+  /// mark has changed.
+  bool mark_jumps();
+  /// Marks one row and sensor. Returns whether the mark has changed.
+  bool mark_jump(const RecordedJumps& jumps);
   /// Returns the largest disagreement of all sensors, if it exceeds the breakpoint's threshold.
   [[nodiscard]] std::optional<Disagreement> disagreement(const StepView& view, const Breakpoints& breakpoints) const;
   [[nodiscard]] ReadingHistory history_of(std::size_t first, std::size_t count) const;
 
   HistoryLanes rows_;
   JumpDetector detector_;
+  std::deque<RecordedJumps> jumps_;          // in the order of their steps
   std::vector<std::size_t> reading_counts_;  // by sensor
   std::vector<SensorSignal> signals_;        // scratch
 };

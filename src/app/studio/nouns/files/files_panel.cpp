@@ -294,11 +294,11 @@ int complete_path(ImGuiInputTextCallbackData* data) {
 bool draw_path_field(WindowUi& ui, FileDialog& dialog) {
   ImGui::SetNextItemWidth(-1);
   if (dialog.wants_focus) ImGui::SetKeyboardFocusHere();
-  dialog.wants_focus = false;
   constexpr auto kFlags = ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackCompletion;
   const bool entered = ImGui::InputTextWithHint("##path", "Path or name (Tab completes it)", &dialog.path, kFlags,
                                                 complete_path, &dialog);
   ui.widgets.note_item("Path");
+  dialog.wants_focus = entered;  // a name can be typed after that of a folder, or again after a refusal
   if (ImGui::IsItemEdited()) dialog.error.clear();  // it was about another file
   if (dialog.path != dialog.typed.text) {
     dialog.typed.text = dialog.path;

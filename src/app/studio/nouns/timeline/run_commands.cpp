@@ -9,6 +9,7 @@
 #include "app/studio/frame/app.h"
 #include "app/studio/frame/feature.h"
 #include "app/studio/frame/message_list.h"
+#include "app/studio/frame/sensors_shown.h"
 #include "app/studio/frame/window_ui.h"
 #include "app/studio/host/document/document_files.h"
 #include "app/studio/host/document/documents.h"
@@ -28,7 +29,22 @@ double next_speed(double speed, bool faster) {
 void carry_out(const GoToEvent& command, App& app) {
   const std::uint64_t to =
       next_event(*app.shown->run.frame->history.lanes, app.shown->run.frame->step, command.direction);
-  if (to != app.shown->run.frame->step || app.shown->run.playing) app.ui->post(ScrubTo{to});
+  if (to != app.shown->run.frame->step || app.shown->run.playing) carry_out(ShowEvent{to}, app);
+}
+
+void carry_out(const ShowEvent& command, App& app) {
+  const SimFrame& frame = *app.shown->run.frame;
+  const HistoryLanes& lanes = *frame.history.lanes;
+  app.ui->post(ScrubTo{command.step});
+  const std::size_t row = lanes.row_of(command.step);
+  for (std::size_t s = 0; s < lanes.sensor_count; ++s) {
+    const SensorSummary& sensor = lanes.sensor(row, s);
+    const SensorModelPtr& model = frame.scene->sensors[s];
+    if (!sensor.is_jump || !model || static_cast<std::size_t>(sensor.jumped_taxel) >= model->layout.taxels.size())
+      continue;
+    const Taxel& taxel = model->layout.taxels[static_cast<std::size_t>(sensor.jumped_taxel)];
+    return click_taxel_of(app.viewer->selection, {static_cast<int>(s), taxel.id}, false);
+  }
 }
 
 void carry_out(const GoToNewestStep&, App& app) {

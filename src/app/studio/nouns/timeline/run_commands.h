@@ -17,6 +17,10 @@ struct GoToEvent {
   int direction = 1;  ///< 1 or -1
   bool operator==(const GoToEvent&) const = default;
 };
+/// Displays a recorded step with an event. The taxel that jumps in it is selected.
+struct ShowEvent {
+  std::uint64_t step = 0;
+};
 struct GoToNewestStep {};
 struct TogglePlayBackwards {};
 struct ToggleLoop {};
@@ -64,6 +68,7 @@ struct SetMode {
 };
 
 void carry_out(const GoToEvent& command, App& app);
+void carry_out(const ShowEvent& command, App& app);
 void carry_out(const GoToNewestStep& command, App& app);
 void carry_out(const TogglePlayBackwards& command, App& app);
 void carry_out(const ToggleLoop& command, App& app);

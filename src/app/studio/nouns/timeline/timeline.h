@@ -24,6 +24,8 @@ struct Timeline {
   Rect lanes;                               ///< all tracks, without their names, or the line of play
   StepRange steps;                          ///< steps at the left and the right edge of the tracks
   int marks = 0;                            ///< number of drawn events
+  float events_y0 = 0, events_y1 = 0;       ///< upper and lower end of the markers of events [pixels]
+  std::string tip;                          ///< names of the events under the pointer
   bool scrubs = false;                      ///< whether a drag moves the cursor
   std::optional<std::uint64_t> loops_from;  ///< step at which the dragged range begins or ends
 };

@@ -155,15 +155,39 @@ void draw_taxels(const Picture& p, const SensorModel& model, float y0, float y1)
   p.label(y0, y1, "taxels", in_unit(most, p.unit));
 }
 
-std::string event_names(const StepMark& mark) {
+/// Returns a line for each taxel that jumps in a row: "taxel 5 jumps by 12 % at constant force", as a fraction of the
+/// reading that Explain measures the step by.
+std::string jump_names(const SimFrame& frame, const HistoryLanes& lanes, std::size_t row) {
+  std::string names;
+  const bool at_equal_force = lanes.steps[row].has(StepEvent::jump_at_equal_force);
+  std::size_t first = 0;
+  for (std::size_t s = 0; s < lanes.sensor_count && row > 0; ++s) {
+    const SensorSummary& sensor = lanes.sensor(row, s);
+    const SensorModelPtr& model = frame.scene->sensors[s];
+    const auto k = static_cast<std::size_t>(std::max(0, sensor.jumped_taxel));
+    if (sensor.is_jump && model && k < model->layout.taxels.size()) {
+      const double change = std::abs(lanes.readings_of(row)[first + k] - lanes.readings_of(row - 1)[first + k]);
+      const bool of_sensor = frame.breakpoints.of_sensor;
+      const double whole =
+          of_sensor ? lanes.sensor(lanes.rows() - 1, s).largest_reading : largest_reading(lanes, first + k);
+      names += fmt::format("\ntaxel {} jumps by {:.3g} % of {} largest reading{}", model->layout.taxels[k].id,
+                           whole > 0 ? 100 * change / whole : 0.0, of_sensor ? "the sensor's" : "its",
+                           at_equal_force ? " at constant force" : "");
+    }
+    if (model) first += model->layout.taxels.size();
+  }
+  return names;
+}
+
+std::string event_names(const SimFrame& frame, const HistoryLanes& lanes, std::size_t row) {
+  const StepMark& mark = lanes.steps[row];
   std::string names;
   const auto add = [&](StepEvent event, const char* name) {
     if (mark.has(event)) names += std::string("\n") + name;
   };
   add(StepEvent::contact_begins, "contact begins");
   add(StepEvent::contact_ends, "contact ends");
-  add(StepEvent::jump, "a taxel jumps");
-  add(StepEvent::jump_at_equal_force, "a taxel jumps at constant force");
+  names += jump_names(frame, lanes, row);
   add(StepEvent::disagreement, "samples and surface disagree");
   add(StepEvent::other_layout, "read by another layout from here");
   return names;
@@ -171,6 +195,7 @@ std::string event_names(const StepMark& mark) {
 
 void draw_events(const Picture& p, float y0, float y1) {
   p.timeline.marks = 0;
+  p.timeline.events_y0 = y0, p.timeline.events_y1 = y1;
   float drawn_to = p.x0 - 10;
   for (const StepMark& mark : p.lanes.steps) {
     if (mark.events == 0) continue;
@@ -214,22 +239,43 @@ void draw_range_and_cursor(const Picture& p, float top, float bottom) {
   p.list.AddTriangleFilled({x - 5, top}, {x + 5, top}, {x, top + 7}, to_u32(p.colors.path));
 }
 
-/// Handles the pointer. A drag moves the cursor; with Shift, a drag sets the range of a loop.
+/// Returns the step of the event whose marker is under the pointer, the nearest one. Empty if there is none.
+std::optional<std::uint64_t> marked_step(const Timeline& timeline, const HistoryLanes& lanes) {
+  const ImVec2 at = ImGui::GetIO().MousePos;
+  if (at.y < timeline.events_y0 || at.y > timeline.events_y1) return std::nullopt;
+  float nearest = 0.5f * (timeline.events_y1 - timeline.events_y0) + 1;
+  std::optional<std::uint64_t> step;
+  for (const StepMark& mark : lanes.steps) {
+    if (mark.events == 0) continue;
+    const float away = std::abs(x_of(timeline, static_cast<double>(mark.step)) - at.x);
+    if (away < nearest) nearest = away, step = mark.step;
+  }
+  return step;
+}
+
+/// Handles the pointer. A click on a marker goes to its event. A drag moves the cursor; with Shift, a drag sets the
+/// range of a loop.
 void take_pointer(WindowUi& ui, const RunView& run, Timeline& timeline, const HistoryLanes& lanes) {
   const std::uint64_t under = step_at(timeline, ImGui::GetIO().MousePos.x);
+  timeline.tip.clear();
   if (ImGui::IsItemActivated()) {
-    timeline.scrubs = !ImGui::GetIO().KeyShift;
+    const std::optional<std::uint64_t> marked = marked_step(timeline, lanes);
+    timeline.scrubs = !ImGui::GetIO().KeyShift && !marked;
+    if (marked && !ImGui::GetIO().KeyShift) return ui.post(ShowEvent{*marked});
     timeline.loops_from = timeline.scrubs ? std::nullopt : std::optional(under);
     if (!timeline.scrubs) ui.post(SetLoop{});
   }
+  if (ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left) && !timeline.loops_from)
+    timeline.scrubs = true;  // a drag that begins on a marker moves the cursor too
   if (ImGui::IsItemActive() && timeline.scrubs && (under != run.frame->step || run.playing)) ui.post(ScrubTo{under});
   if (ImGui::IsItemActive() && timeline.loops_from && under != *timeline.loops_from)
     ui.post(SetLoop{StepRange{std::min(under, *timeline.loops_from), std::max(under, *timeline.loops_from)}});
   if (ImGui::IsItemDeactivated()) timeline.scrubs = false, timeline.loops_from.reset();
   if (!ImGui::IsItemHovered() || ImGui::IsItemActive()) return;
-  const StepMark& mark = lanes.steps[lanes.row_of(under)];
-  ImGui::SetTooltip("step %llu, %.6g s%s", static_cast<unsigned long long>(mark.step), mark.time,
-                    event_names(mark).c_str());
+  const std::size_t row = lanes.row_of(marked_step(timeline, lanes).value_or(under));
+  timeline.tip = event_names(*run.frame, lanes, row);
+  ImGui::SetTooltip("step %llu, %.6g s%s", static_cast<unsigned long long>(lanes.steps[row].step),
+                    lanes.steps[row].time, timeline.tip.c_str());
 }
 
 }  // namespace
