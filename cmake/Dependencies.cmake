@@ -10,6 +10,7 @@
 # | Manifold             | 3.5.4      | PyPI manifold3d, by hash (Manifold.cmake) |
 # | nanobind             | 3.1.0      | PyPI nanobind, by hash (Nanobind.cmake)   |
 # | GLM                  | >= 0.9.9.8 | Debian libglm-dev                         |
+# | Eigen                | >= 3.3     | Debian libeigen3-dev                      |
 # | fmt                  | >= 9       | Debian libfmt-dev                         |
 # | CLI11                | >= 2.1     | Debian libcli11-dev                       |
 # | oneTBB               | >= 2021    | Debian libtbb-dev                         |
@@ -49,6 +50,7 @@ find_package(TBB REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(TinyGLTF REQUIRED)
 find_package(OpenGL REQUIRED COMPONENTS EGL)
+pkg_check_modules(eigen3 REQUIRED IMPORTED_TARGET eigen3)
 pkg_check_modules(OpenMesh REQUIRED IMPORTED_TARGET openmesh)
 pkg_check_modules(stb REQUIRED IMPORTED_TARGET stb)
 pkg_check_modules(hwy REQUIRED IMPORTED_TARGET libhwy)

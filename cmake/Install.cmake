@@ -49,7 +49,7 @@ install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION share/doc/taxel COMPONEN
 function(taxel_install_licence library file)
   install(FILES ${file} DESTINATION share/doc/taxel/licences RENAME ${library}.txt COMPONENT data)
 endfunction()
-foreach(package libglm-dev libfmt-dev libcli11-dev libtbb-dev libhwy-dev libmbedtls-dev nlohmann-json3-dev libopenmesh-dev
+foreach(package libglm-dev libeigen3-dev libfmt-dev libcli11-dev libtbb-dev libhwy-dev libmbedtls-dev nlohmann-json3-dev libopenmesh-dev
     libtinygltf-dev libstb-dev libtinyxml2-dev libyaml-cpp-dev libzip-dev zlib1g libzstd1 libglfw3-dev libwebp-dev libepoxy-dev libssl3 libbz2-1.0
     fonts-dejavu-core)
   if(EXISTS /usr/share/doc/${package}/copyright)  # another distribution has other packages

@@ -22,6 +22,7 @@ Run add_check(OptionList& list);
 Run add_contact(OptionList& list);
 Run add_convert(OptionList& list);
 Run add_explain(OptionList& list);
+Run add_fit(OptionList& list);
 Run add_generate(OptionList& list);
 Run add_material(OptionList& list);
 Run add_mesh(OptionList& list);
@@ -62,6 +63,10 @@ const std::vector<CommandSpec>& commands() {
        "Aligns a recording of a real sensor with a run: finds the time shift, and gain and offset of each taxel by "
        "least squares",
        "taxel align result real.csv --map real.recmap.json --out aligned.csv", add_align},
+      {"fit",
+       "Fits radius, object, layer and gains to recorded presses of a real sensor, with errors, correlations and "
+       "recordings that are held out",
+       "taxel fit presses.csv --layout strip.taxels.json --case ball.json --free radius,x0,z0,gain --out fit", add_fit},
       {"models",
        "The contacts of a recording as other models of a taxel read them: a star field, the weighted sum, the exact "
        "integral, MuJoCo's <tactile> depth, one MuJoCo touch site for each taxel",
