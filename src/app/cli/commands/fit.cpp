@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <sstream>
 
@@ -18,6 +19,8 @@
 
 namespace taxel::cli {
 namespace {
+
+namespace fs = std::filesystem;
 
 struct FitCommandOptions {
   std::vector<std::string> recordings, held_out, starts, fixed;
@@ -41,7 +44,7 @@ struct FitReport {
 std::string FitReport::name_of(std::size_t parameter) const {
   const FittedParameter& p = fit.parameters[parameter];
   const std::string word(to_word(p.name));
-  return p.run && fit.runs.size() > 1 ? fmt::format("{} of {}", word, recordings[*p.run].file) : word;
+  return p.run && fit.runs.size() > 1 ? fmt::format("{} of recording {}", word, *p.run + 1) : word;
 }
 
 void FitReport::visit_run(ReportWriter& w, std::size_t r) const {
@@ -106,7 +109,7 @@ std::string FitReport::text() const {
   for (std::size_t i = 0; i < fit.parameters.size(); ++i) {
     const FittedParameter& p = fit.parameters[i];
     text += fmt::format("{:<28} {:>12} {:>12} {:>5}\n", name_of(i), shown_value(p.name, p.value),
-                        shown_value(p.name, p.standard_error), unit_of(p.name) == "m" ? "mm" : "");
+                        shown_value(p.name, p.standard_error), unit_of(p.name) == "m" ? "mm" : unit_of(p.name));
     if (p.value <= p.lower || p.value >= p.upper)
       text +=
           fmt::format("  {} is at the bound of its range: its start, {}, is far off, or the data do not decide it\n",
@@ -120,12 +123,13 @@ std::string FitReport::text() const {
           text += fmt::format("  {} with {}: {:+.3f}\n", name_of(j), name_of(i), fit.correlations[i][j]);
   }
   text +=
-      fmt::format("\n{:<44} {:>7} {:>8} {:>8} {:>9} {:>8}\n", "recording", "presses", "values", "R2", "rms", "worst");
+      fmt::format("\n{:<44} {:>7} {:>8} {:>8} {:>9} {:>8}\n", "recordings", "presses", "values", "R2", "rms", "worst");
   for (std::size_t r = 0; r < fit.runs.size(); ++r) {
     const RunAgreement& run = fit.runs[r];
     text += fmt::format("{:<44} {:>7} {:>8} {:>8.4f} {:>8.2f}% {:>7.2f}%\n",
-                        recordings[r].file + (run.is_held_out ? " (held out)" : ""), recordings[r].presses.size(),
-                        run.points.size(), run.r2, 100 * run.rms, 100 * run.worst);
+                        fmt::format("{}: {}{}", r + 1, fs::path(recordings[r].file).filename().string(),
+                                    run.is_held_out ? ", held out" : ""),
+                        recordings[r].presses.size(), run.points.size(), run.r2, 100 * run.rms, 100 * run.worst);
     for (const TaxelAgreement& taxel : run.taxels)
       text += fmt::format("  taxel {:<4} {:<32} {:>16} {:>8.4f} {:>8.2f}% {:>7.2f}%   gain {:.5g}\n", taxel.taxel,
                           taxel.column, taxel.points, taxel.r2, 100 * taxel.rms, 100 * taxel.worst, taxel.gain);

@@ -19,8 +19,8 @@ std::string_view unit_of(FitName name) {
 
 namespace {
 
-constexpr std::size_t kCoarseRows = 300, kFineRows = 1500;  // of all recordings, for starts and for the result
-constexpr int kCoarseSteps = 12, kFineSteps = 20;
+constexpr std::size_t kCoarseRows = 200, kFineRows = 1000;  // of all recordings, for starts and for the result
+constexpr int kCoarseSteps = 10, kFineSteps = 15;
 constexpr double kFactor = 4;  // bounds of a length, in starts
 constexpr double kMostK = 0.95;
 
@@ -193,22 +193,23 @@ class Residuals {
 
   /// Central differences of the simulated values by a parameter; empty for recordings that it does not affect.
   [[nodiscard]] std::vector<std::vector<double>> difference(const Eigen::VectorXd& p, std::size_t j) {
+    const auto i = static_cast<Eigen::Index>(j);
     const double step = step_of(p, j);
     Eigen::VectorXd low = p, high = p;
-    low[Eigen::Index(j)] -= step;
-    high[Eigen::Index(j)] += step;
+    low[i] = std::max(p[i] - step, parameters_[j].lower);
+    high[i] = std::min(p[i] + step, parameters_[j].upper);
     std::vector<std::vector<double>> out(runs_.size());
     for (std::size_t r = 0; r < runs_.size(); ++r) {
       if (parameters_[j].run && *parameters_[j].run != r) continue;
       out[r] = simulated(high, r);
       const std::vector<double> below = simulated(low, r);
-      for (std::size_t i = 0; i < below.size(); ++i) out[r][i] = (out[r][i] - below[i]) / (2 * step);
+      for (std::size_t n = 0; n < below.size(); ++n) out[r][n] = (out[r][n] - below[n]) / (high[i] - low[i]);
     }
     return out;
   }
   [[nodiscard]] double step_of(const Eigen::VectorXd& p, std::size_t j) const {
     constexpr double kPart = 0.01;
-    if (parameters_[j].name == FitName::k) return std::min(kPart, 0.5 * (1 - p[Eigen::Index(j)]));
+    if (parameters_[j].name == FitName::k) return kPart;
     if (is_geometry(parameters_[j].name)) return kPart * p[Eigen::Index(j)];
     return kPart * geometry(p)[0];
   }
@@ -407,11 +408,15 @@ class Fitter {
     for (Eigen::Index i = 0; i < count; ++i) {
       const FittedParameter& parameter = parameters_[static_cast<std::size_t>(i)];
       out.lower[i] = parameter.lower, out.upper[i] = parameter.upper;
-      out.scale[i] = is_geometry(parameter.name) && parameter.name != FitName::k ? parameter.start
-                     : parameter.name == FitName::k                              ? 1
-                                                                                 : model_.geometry()[0];
+      out.scale[i] = scale_of(parameter);
     }
     return out;
+  }
+
+  /// Returns the size of a parameter, of which a step must change a part to matter.
+  [[nodiscard]] double scale_of(const FittedParameter& parameter) const {
+    if (parameter.name == FitName::k) return 1;
+    return is_geometry(parameter.name) ? parameter.start : model_.geometry()[0];
   }
 
   /// The starts: the best of some depths of the zero along the pressing axis, and from there radii that trade off.
