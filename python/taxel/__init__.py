@@ -38,6 +38,7 @@ if typing.TYPE_CHECKING:
     from taxel.batches import BatchProgress, BatchResult, FailedJob, batch
     from taxel.contacts import contact
     from taxel.errors import Error
+    from taxel.fits import fit
     from taxel.generators import generate
     from taxel.materials import material
     from taxel.plugin import load_model, load_plugin, plugin_versions
@@ -65,6 +66,7 @@ __all__ = [
     "attach",
     "batch",
     "contact",
+    "fit",
     "generate",
     "load_model",
     "load_plugin",
@@ -95,6 +97,7 @@ _MODULES = {
     "taxel.batches": ("BatchProgress", "BatchResult", "FailedJob", "Observation", "batch"),
     "taxel.contacts": ("contact",),
     "taxel.errors": ("Error",),
+    "taxel.fits": ("fit",),
     "taxel.generators": ("generate",),
     "taxel.materials": ("material",),
     "taxel.plugin": ("load_model", "load_plugin", "plugin_versions"),

@@ -11,10 +11,10 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Number of samples per square metre that causes no noise and is fast to make.
-constexpr double kSamples = 1.5e6;
+constexpr double kVerdictDensity = 1.5e6;
 
 fs::path run_scene(Touch touch) {
-  touch.layout.sampling.density = kSamples;
+  touch.layout.sampling.density = kVerdictDensity;
   const fs::path folder = test_folder();
   const double seconds = write_scene(folder, touch);
   const Json run =
@@ -24,7 +24,7 @@ fs::path run_scene(Touch touch) {
 }
 
 fs::path play_path(Touch touch) {
-  touch.layout.sampling.density = kSamples;
+  touch.layout.sampling.density = kVerdictDensity;
   const fs::path folder = test_folder();
   write_path(folder, touch);
   const Json run =

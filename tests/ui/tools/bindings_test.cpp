@@ -147,7 +147,9 @@ TEST(Bindings, OpenEachPanelThatTheUserCloses) {
   for (const Binding& row : bindings())
     if (const auto* toggle = row.command.get_if<TogglePanel>()) opened.insert(toggle->panel);
   for (const Feature* row : features())
-    if (row->opens != Opens::never) EXPECT_TRUE(opened.contains(row)) << row->title;
+    if (row->opens != Opens::never) {
+      EXPECT_TRUE(opened.contains(row)) << row->title;
+    }
   std::set<std::string> panels;
   for (const Binding& row : bindings())
     if (row.menu != nullptr && std::string(row.menu) == "Panels") panels.insert(row.label);

@@ -284,10 +284,10 @@ StrongestPress strongest_press(const ComparedRun& run) {
   return best;
 }
 
-/// Returns the displacement along the pressing axis at which the object first touches, from `zero`, and the sign of
-/// the pressing direction. Throws Error if it touches nowhere within four sizes of the object.
-std::pair<double, double> first_touch(const ComparedRun& run, FitModel& model, const FitGeometry& geometry, int axis,
-                                      dvec3 zero) {
+/// Returns the displacement along the pressing axis at which the strongest press first touches, from `zero`. Returns
+/// nothing if it touches nowhere within four sizes of the object.
+std::optional<double> first_touch(const ComparedRun& run, FitModel& model, const FitGeometry& geometry, int axis,
+                                  const dvec3& zero) {
   const StrongestPress press = strongest_press(run);
   const std::vector<dvec3>& at = run.recording->displacements;
   const double travel = at[press.deepest][axis] - at[press.first][axis], sign = travel < 0 ? -1 : 1;
@@ -305,15 +305,12 @@ std::pair<double, double> first_touch(const ComparedRun& run, FitModel& model, c
     found = touches(near);
     if (!found) away = near;
   }
-  if (!found)
-    throw Error(run.recording->file,
-                "the object of the case touches the layout nowhere along its presses: check the "
-                "poses of the case, and the signs and units of the columns");
+  if (!found) return std::nullopt;
   for (int i = 0; i < 20; ++i) {
     const double middle = 0.5 * (away + near);
     (touches(middle) ? near : away) = middle;
   }
-  return {sign * near, sign};
+  return sign * near;
 }
 
 /// The parameters of a fit with their starts and bounds.
@@ -419,47 +416,76 @@ class Fitter {
     return is_geometry(parameter.name) ? parameter.start : model_.geometry()[0];
   }
 
-  /// The starts: the best of some depths of the zero along the pressing axis, and from there radii that trade off.
+  /// The starts. Lateral zeros: as estimated from the presses, or 0; each with the best of some depths. From the better
+  /// one, radii that trade off.
   [[nodiscard]] std::vector<Eigen::VectorXd> starts(Residuals& residuals, const FitGeometry& geometry) {
-    Eigen::VectorXd first(static_cast<Eigen::Index>(parameters_.size()));
-    for (std::size_t i = 0; i < parameters_.size(); ++i) first[Eigen::Index(i)] = parameters_[i].start;
-    const auto pressing = static_cast<FitName>(static_cast<int>(FitName::x0) + axis_);
-    for (std::size_t i = 0; i < parameters_.size(); ++i)
-      if (parameters_[i].name == pressing && !setup_.given(pressing)) choose_depth(residuals, geometry, i, first);
-    std::vector<Eigen::VectorXd> all{first};
+    const auto count = static_cast<Eigen::Index>(parameters_.size());
+    Eigen::VectorXd first(count), second(count);
+    for (Eigen::Index i = 0; i < count; ++i) {
+      const FittedParameter& parameter = parameters_[static_cast<std::size_t>(i)];
+      first[i] = second[i] = parameter.start;
+      if (!is_geometry(parameter.name) && !setup_.given(parameter.name)) second[i] = 0;
+    }
+    std::vector<Eigen::VectorXd> all;
+    if (choose_depths(residuals, geometry, first)) all.push_back(first);
+    if (second != first && choose_depths(residuals, geometry, second)) all.push_back(second);
+    if (all.empty())
+      throw Error(
+          runs_.front().recording->file,
+          "the object of the case touches the layout nowhere along its presses: check the poses of the case, and "
+          "the signs and units of the columns");
+    if (all.size() > 1 && residuals.residuals(all[1]).squaredNorm() < residuals.residuals(all[0]).squaredNorm())
+      std::swap(all[0], all[1]);
+    add_traded_radii(all);
+    for (Eigen::Index i = 0; i < count; ++i) parameters_[static_cast<std::size_t>(i)].start = all[0][i];
+    return all;
+  }
+
+  /// Adds starts with a smaller field and a larger object than in the first one, and the reverse.
+  void add_traded_radii(std::vector<Eigen::VectorXd>& all) const {
     std::optional<Eigen::Index> radius, object;
     for (std::size_t i = 0; i < parameters_.size(); ++i) {
       if (setup_.given(parameters_[i].name)) continue;
       if (parameters_[i].name == FitName::radius) radius = Eigen::Index(i);
       if (parameters_[i].name == FitName::object_radius) object = Eigen::Index(i);
     }
+    if (!radius && !object) return;
     for (const double factor : {0.7, 1.4}) {
-      Eigen::VectorXd other = first;
+      Eigen::VectorXd other = all.front();
       if (radius) other[*radius] *= factor;
       if (object) other[*object] /= factor;
-      if (radius || object) all.push_back(other);
+      all.push_back(other);
     }
-    return all;
   }
 
-  /// Sets the zero along the pressing axis of one recording to the best of some depths.
-  void choose_depth(Residuals& residuals, const FitGeometry& geometry, std::size_t parameter, Eigen::VectorXd& p) {
+  /// Sets the zeros along the pressing axis to the best of some depths below the first touch. Returns false if the
+  /// object touches nowhere.
+  bool choose_depths(Residuals& residuals, const FitGeometry& geometry, Eigen::VectorXd& p) {
+    const auto pressing = static_cast<FitName>(static_cast<int>(FitName::x0) + axis_);
+    for (std::size_t i = 0; i < parameters_.size(); ++i)
+      if (parameters_[i].name == pressing && !setup_.given(pressing) && !choose_depth(residuals, geometry, i, p))
+        return false;
+    return true;
+  }
+  bool choose_depth(Residuals& residuals, const FitGeometry& geometry, std::size_t parameter, Eigen::VectorXd& p) {
     const auto i = static_cast<Eigen::Index>(parameter);
     const std::size_t r = *parameters_[parameter].run;
     p[i] = 0;
-    const auto [touch, sign] = first_touch(runs_[r], model_, geometry, axis_, residuals.zero(p, r));
+    const auto touch = first_touch(runs_[r], model_, geometry, axis_, residuals.zero(p, r));
+    if (!touch) return false;
     const StrongestPress press = strongest_press(runs_[r]);
     const std::vector<dvec3>& at = runs_[r].recording->displacements;
-    const double travel = std::abs(at[press.deepest][axis_] - at[press.first][axis_]);
-    parameters_[parameter].lower = touch - std::abs(travel), parameters_[parameter].upper = touch + std::abs(travel);
-    if (sign > 0) parameters_[parameter].upper += travel;
-    if (sign < 0) parameters_[parameter].lower -= travel;
-    double least = std::numeric_limits<double>::infinity(), best = touch;
+    const double travel = at[press.deepest][axis_] - at[press.first][axis_];
+    double least = std::numeric_limits<double>::infinity(), best = *touch;
     for (const double part : {0.15, 0.3, 0.5, 0.7, 0.85, 1.0}) {
-      p[i] = touch + sign * part * travel;
+      p[i] = *touch + part * travel;
       if (const double cost = residuals.residuals(p).squaredNorm(); cost < least) least = cost, best = p[i];
     }
-    p[i] = parameters_[parameter].start = best;
+    p[i] = best;
+    FittedParameter& zero = parameters_[parameter];
+    zero.lower = std::min(zero.lower, best - std::abs(travel)),
+    zero.upper = std::max(zero.upper, best + std::abs(travel));
+    return true;
   }
 
   void finish(Residuals& residuals, const LeastSquaresPoint& best, RecordingFit& out);

@@ -15,6 +15,34 @@ double half_squares(const Eigen::VectorXd& e) {
   return 0.5 * e.squaredNorm();
 }
 
+/// Returns the step that minimises |J d + e| with damped A = J^T J and g = J^T e within the bounds. Parameters that
+/// leave the bounds are put onto them, and the step of the others is computed again.
+Eigen::VectorXd bounded_step(const Eigen::MatrixXd& A, const Eigen::VectorXd& g, const Eigen::VectorXd& lowest,
+                             const Eigen::VectorXd& highest) {
+  const Eigen::Index count = g.size();
+  Eigen::VectorXd step = Eigen::VectorXd::Zero(count);
+  std::vector<bool> is_put(static_cast<std::size_t>(count), false);
+  for (Eigen::Index round = 0; round < count; ++round) {
+    std::vector<Eigen::Index> free;
+    for (Eigen::Index i = 0; i < count; ++i)
+      if (!is_put[static_cast<std::size_t>(i)]) free.push_back(i);
+    if (free.empty()) break;
+    Eigen::VectorXd put = step;
+    for (const Eigen::Index i : free) put[i] = 0;
+    const Eigen::VectorXd rest = g + A * put;
+    const Eigen::VectorXd solved = Eigen::MatrixXd(A(free, free)).ldlt().solve(Eigen::VectorXd(-rest(free)));
+    bool all_within = true;
+    for (std::size_t n = 0; n < free.size(); ++n) {
+      const Eigen::Index i = free[n];
+      step[i] = std::clamp(solved[static_cast<Eigen::Index>(n)], lowest[i], highest[i]);
+      is_put[static_cast<std::size_t>(i)] = step[i] != solved[static_cast<Eigen::Index>(n)];
+      all_within = all_within && !is_put[static_cast<std::size_t>(i)];
+    }
+    if (all_within) break;
+  }
+  return step;
+}
+
 }  // namespace
 
 LeastSquaresPoint minimise(const LeastSquares& problem, const Eigen::VectorXd& start, int iterations) {
@@ -31,7 +59,7 @@ LeastSquaresPoint minimise(const LeastSquares& problem, const Eigen::VectorXd& s
     for (bool improved = false; !improved && damping < kMostDamping;) {
       Eigen::MatrixXd damped = A;
       damped.diagonal() += damping * A.diagonal().cwiseMax(1e-300);
-      const Eigen::VectorXd p = (best.p - damped.ldlt().solve(g)).cwiseMax(problem.lower).cwiseMin(problem.upper);
+      const Eigen::VectorXd p = best.p + bounded_step(damped, g, problem.lower - best.p, problem.upper - best.p);
       const Eigen::VectorXd tried = problem.residuals(p);
       const double cost = half_squares(tried);
       improved = std::isfinite(cost) && cost < best.cost;

@@ -134,7 +134,7 @@ class Travel {
     range_ = (*high)[axis] - (*low)[axis];
     if (!(range_ > 0))
       throw Error(in.file, fmt::format("holds no press: the position along {} is {:g} m in all rows", kAxisNames[axis],
-                                       points_.front()[axis]));
+                                       points_.front()[axis] + 0.0));
     const double first = points_.front()[axis];
     rest_ = first - (*low)[axis] < (*high)[axis] - first ? (*low)[axis] : (*high)[axis];
   }
