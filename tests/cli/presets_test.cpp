@@ -30,7 +30,7 @@ TEST(PresetsCommand, RefusesUnknownNamesAndWrongOptions) {
   const fs::path folder = test_folder();
   expect_refusal(taxel({"presets", "biotack"}, folder),
                  "taxel: presets: NAME: biotack is unknown, there are fingertip, icub, biotac, xela-4x4, xela-4x6, "
-                 "xela-curved, myrmex, dense");
+                 "xela-curved, myrmex, barometers, dense");
   expect_refusal(taxel({"presets", "--out", "f.taxels.json"}, folder),
                  "taxel: presets: --out: needs the NAME of a preset");
   expect_refusal(taxel({"presets", "dense", "--out", "dense.obj"}, folder),

@@ -175,6 +175,33 @@ SensorPreset myrmex() {
   return preset;
 }
 
+/// Four barometers under a strip of silicone, with the field of docs/real.md.
+SensorPreset barometers() {
+  const double pitch = 6.0 * kMillimetre;
+  const dvec3 half = 0.5 * kMillimetre * dvec3(120, 40, 12);
+  SensorPreset preset = begin("barometers", "Strip of barometers, 4 taxels", std::make_shared<TriMesh>(make_box(half)));
+  preset.layout.frame = {dvec3(1, 0, 0), dvec3(0, 0, 1)};
+  Grid grid;
+  grid.rows = 1;
+  grid.columns = 4;
+  grid.row_pitch = grid.column_pitch = pitch;
+  grid.center = dvec3(0, 0, half.z);
+  grid.radius = 6.85 * kMillimetre;
+  for (const Taxel& taxel : planar_grid(grid)) preset.layout.taxels.push_back(rounded(taxel));
+  preset.layout.sampling.density = 2e6;
+  preset.layout.readout.method = ReadingMethod::exact;
+  preset.layout.material.modulus = 1e5;
+  preset.layout.material.thickness = 5.0 * kMillimetre;
+  preset.source =
+      "MTL-BaroTactileSensor (2023): four barometers MPL3115A2 in silicone, 6.0 mm apart; receptive radius and "
+      "weighted "
+      "mean fitted to a recording (docs/real.md)";
+  preset.unverified =
+      "outline of the strip; modulus, of which the recording tells only the product with a gain for each taxel; "
+      "thickness of the pad";
+  return preset;
+}
+
 SensorPreset dense() {
   SensorPreset preset = flat_array("dense", "Dense grid, 26 x 27 taxels", 26, 27, 1.0 * kMillimetre, 5.0 * kMillimetre);
   preset.source = "no real sensor: 702 taxels at a pitch of 1 mm, to try the readings and the cost of a dense skin";
@@ -185,8 +212,8 @@ SensorPreset dense() {
 }  // namespace
 
 const std::vector<std::string>& sensor_preset_names() {
-  static const std::vector<std::string> names{"fingertip", "icub",        "biotac", "xela-4x4",
-                                              "xela-4x6",  "xela-curved", "myrmex", "dense"};
+  static const std::vector<std::string> names{"fingertip",   "icub",   "biotac",     "xela-4x4", "xela-4x6",
+                                              "xela-curved", "myrmex", "barometers", "dense"};
   return names;
 }
 
@@ -198,6 +225,7 @@ SensorPreset make_sensor_preset(std::string_view name) {
   if (name == "xela-4x6") return xela(6);
   if (name == "xela-curved") return xela_curved();
   if (name == "myrmex") return myrmex();
+  if (name == "barometers") return barometers();
   if (name == "dense") return dense();
   throw Error("presets", "NAME",
               fmt::format("{} is unknown, there are {}", name, fmt::join(sensor_preset_names(), ", ")));

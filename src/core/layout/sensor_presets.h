@@ -6,6 +6,7 @@
 // mm); the sensor is that of Jamali et al. 2015, "A New Design of a Fingertip for the iCub Hand". XELA: rows and
 // columns of the uSPa 44 and uSPa 46, number of taxels of the curved tip for the Allegro hand (uSCuALHA). Myrmex:
 // Schuermann, Koiva, Haschke, Ritter 2011, "A modular high-speed tactile sensor for human manipulation research".
+// Barometers: MTL-BaroTactileSensor, 2023, and fits of its recordings (docs/real.md).
 // Positions that are not public are computed from the pitch by the generators, and `unverified` lists them.
 #pragma once
 

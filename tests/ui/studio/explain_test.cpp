@@ -231,13 +231,12 @@ TEST(Explain, GivesTheSameResultAsTheCommandLine) {
   const auto jump_of = [](const char* percent) {
     return Lines{press("Jump"), key("a", kCtrl), type(percent), key("Enter"), kIdle};
   };
-  studio.play(
-      joined({kJumped,
-              jump_of("100"),
-              {key("b", kShift), kIdle, key("Space"), wait_time(1.5), key("Space"), kIdle},
-              jump_of("0.5"),
-              {key("Escape"), kIdle, key("Left", kShift), kIdle, kIdle, kIdle, dump("explained.json")}}),
-      coarse_layout(studio));
+  studio.play(joined({kJumped,
+                      jump_of("100"),
+                      {key("b", kShift), kIdle, key("Space"), wait_time(1.5), key("Space"), kIdle},
+                      jump_of("0.5"),
+                      {key("Escape"), kIdle, key("Left", kShift), kIdle, kIdle, kIdle, dump("explained.json")}}),
+              coarse_layout(studio));
   Json window = studio.state("explained.json")["explain"];
   ASSERT_TRUE(window.is_object());
   const Outcome swept = run_program(TAXEL_PROGRAM,

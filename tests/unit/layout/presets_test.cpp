@@ -73,12 +73,13 @@ TEST(SensorPresets, HaveNoProblemsOnTheirMeshes) {
 
 /// Numbers of taxels, and distances between neighbours that the sources state.
 TEST(SensorPresets, AgreeWithTheirSources) {
-  const std::map<std::string, std::size_t> taxels{{"fingertip", 12}, {"icub", 12},        {"biotac", 19},
-                                                  {"xela-4x4", 16},  {"xela-4x6", 24},    {"xela-curved", 30},
-                                                  {"myrmex", 256},   {"dense", 26U * 27U}};
+  const std::map<std::string, std::size_t> taxels{{"fingertip", 12}, {"icub", 12},      {"biotac", 19},
+                                                  {"xela-4x4", 16},  {"xela-4x6", 24},  {"xela-curved", 30},
+                                                  {"myrmex", 256},   {"barometers", 4}, {"dense", 26U * 27U}};
   EXPECT_EQ(taxels.size(), sensor_preset_names().size());
   for (const auto& [name, count] : taxels) EXPECT_EQ(make_sensor_preset(name).layout.taxels.size(), count) << name;
-  const std::map<std::string, double> pitches{{"xela-4x4", 4.7e-3}, {"xela-4x6", 4.7e-3}, {"myrmex", 5e-3}};
+  const std::map<std::string, double> pitches{
+      {"xela-4x4", 4.7e-3}, {"xela-4x6", 4.7e-3}, {"myrmex", 5e-3}, {"barometers", 6e-3}};
   for (const auto& [name, pitch] : pitches) {
     const std::vector<Taxel> row = make_sensor_preset(name).layout.taxels;
     EXPECT_NEAR(glm::distance(row[0].center, row[1].center), pitch, 1e-12) << name;

@@ -9,7 +9,10 @@
 #include "core/base/error.h"
 #include "core/run/fit/agreement.h"
 #include "core/run/fit/fit.h"
+#include "core/run/fit/fit_files.h"
+#include "core/run/fit/fit_model.h"
 #include "core/run/fit/least_squares.h"
+#include "core/run/fit/pressed_recording.h"
 #include "core/sensor/contact_case/pose_readings.h"
 #include "fixtures/strip.h"
 
@@ -23,11 +26,11 @@ constexpr double kRest = 0.0003;  // height of the object above the skin at rest
 /// Presses of a ball on the strip, as a sensor records them.
 struct Presses {
   int places = 9;                  ///< 2 mm apart
-  int rows = 10;                   ///< of the loading part
+  int rows = 10;                   ///< rows of the loading part
   double depth = 0.0012;           ///< [m]
   double noise = 0.01;             ///< standard deviation over the largest value
-  int bits = 8;                    ///< of a value; 0 for all digits
-  dvec3 zero{0.0013, 0, -0.0001};  ///< that the fit must find [m]
+  int bits = 8;                    ///< digits of a value; 0 for all
+  dvec3 zero{0.0013, 0, -0.0001};  ///< zero that the fit must find [m]
   std::vector<double> gains{1.5, 0.7, 2.0};
 };
 
@@ -222,6 +225,38 @@ TEST(RecordingFit, FindsTheZerosTheRadiusAndTheGainsOfARecording) {
   EXPECT_TRUE(fit.runs[1].is_held_out);
 }
 
+TEST(RecordingFit, ReadsItsSubjectAsReadPosesDoesWithTheChangedGeometry) {
+  FitModel model(subject(), 1, nullptr);
+  const dvec3 displacement(0.001, 0, -0.001);
+  FitSubject changed = subject();
+  for (Taxel& taxel : changed.sensor.layout.taxels) taxel.radius = 0.004;
+  changed.sensor.layout.material.thickness = 0.004;
+  changed.sensor.layout.material.law = {LawKind::stiffening, 0.5, {}};
+  changed.contact_case.b.shape->size.x = 0.003;
+  const SensorModelPtr sensor = build_sensor_model(changed.sensor);
+  const MadeBody ball = make_case_body(changed.contact_case, changed.contact_case.b, "b");
+  const Pose poses[] = {{dquat(1, 0, 0, 0), changed.contact_case.b.X_WB.p + displacement}};
+  EXPECT_EQ(model.read({0.004, 0.003, 0.004, 0.5}, std::array{displacement}).readings,
+            read_poses(*sensor, *ball.body, poses).readings);
+  EXPECT_EQ(model.geometry(), (FitGeometry{0.006, kBall, test::kStripPad, 0}));
+}
+
+TEST(RecordingFit, WritesItsPointsAndDrawsThem) {
+  RecordingFit fit;
+  const PressedRecording recording = presses_of({}, 1);
+  RunAgreement& run = fit.runs.emplace_back();
+  run.taxels.resize(3);
+  run.largest = 10;
+  run.points = {{0, 3, {0.001, 0, -0.002}, 1, 10, 9}, {0, 4, {0.001, 0, -0.003}, 1, 12, 12.5}};
+  EXPECT_EQ(points_csv(fit, {recording}),
+            "run,press,row,x,y,z,taxel,measured,fitted,residual\n0,0,3,0.001,0,-0.002,1,10,9,1\n"
+            "0,0,4,0.001,0,-0.003,1,12,12.5,-0.5\n");
+  const Chart bells = bells_chart(fit, {recording}), loading = loading_chart(fit, {recording}, 2);
+  EXPECT_EQ(bells.panels.at(0).rings.at(1).points.y, std::vector<double>{12}) << "the end of the press";
+  EXPECT_EQ(loading.panels.at(0).curves.at(0).points.x, (std::vector<double>{-2, -3}));
+  EXPECT_EQ(residuals_chart(fit, {recording}).panels.at(0).rings.at(1).points.y, (std::vector<double>{10, -5}));
+}
+
 TEST(RecordingFit, SaysWhichParametersARecordingDoesNotDecide) {
   Presses presses;
   presses.places = 1;
@@ -232,7 +267,7 @@ TEST(RecordingFit, SaysWhichParametersARecordingDoesNotDecide) {
   for (const Undecided& undecided : fit.undecided) EXPECT_FALSE(undecided.advice.empty());
 }
 
-TEST(RecordingFit, RefusesWhatItCannotFit) {
+TEST(RecordingFit, RefusesSubjectsAndOptionsThatCannotBeFitted) {
   const PressedRecording recording = presses_of({}, 1);
   const auto why = [&](const FitSubject& of, const RecordingFitOptions& options) -> std::string {
     try {
@@ -270,7 +305,7 @@ TEST(RecordingFits, HoldTheTrueValuesWithinTwoStandardErrors) {
   EXPECT_GE(within, 9 * all / 10) << "of " << all;
 }
 
-// The correlations that a fit tells are those of its values over many recordings.
+// The correlations of a fit are those of its values over many recordings.
 TEST(RecordingFits, TellTheCorrelationsOfAMonteCarlo) {
   Presses presses;
   presses.places = 7, presses.rows = 5, presses.bits = 0;

@@ -240,7 +240,7 @@ int run_fit_command(const FitCommandOptions& options, Console& console) {
   if (folder) {
     folder->write("fit.json", json_of(report, JsonStyle::short_arrays));
     folder->write("points.csv", points_csv(fit, all));
-    folder->write("bells.svg", page_to_svg(chart_page(bells_chart(fit, all, axis))));
+    folder->write("bells.svg", page_to_svg(chart_page(bells_chart(fit, all))));
     folder->write("loading.svg", page_to_svg(chart_page(loading_chart(fit, all, axis))));
     folder->write("residuals.svg", page_to_svg(chart_page(residuals_chart(fit, all))));
     folder->commit();

@@ -26,6 +26,7 @@ constexpr std::array kPresets = {PresetTitle{"biotac", "BioTac, 19 electrodes"},
                                  PresetTitle{"xela-4x6", "XELA uSPa 46, 4 x 6 taxels"},
                                  PresetTitle{"xela-curved", "XELA curved fingertip, 30 taxels"},
                                  PresetTitle{"myrmex", "Myrmex, 16 x 16 taxels"},
+                                 PresetTitle{"barometers", "Strip of barometers, 4 taxels"},
                                  PresetTitle{"dense", "Dense grid, 26 x 27 taxels"}};
 
 std::vector<Example> all_examples() {

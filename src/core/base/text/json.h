@@ -288,7 +288,6 @@ class JsonNode {
     return json_->template get<bool>();
   }
   [[nodiscard]] bool is_text() const { return json_->is_string(); }
-  [[nodiscard]] bool is_array() const { return json_->is_array(); }
   [[nodiscard]] std::string text() const {
     if (!json_->is_string()) wrong("a text");
     return json_->template get<std::string>();

@@ -67,7 +67,7 @@ class SensorOfProbes {
   void read_probes(const ProbesValue& probes) {
     for (std::size_t i = 0; i < probes.length(); ++i) {
       const ProbesValue item = probes.item(i);
-      if (item.is_array()) {
+      if (item.json().is_array()) {
         has_rows_ = true;
         for (std::size_t j = 0; j < item.length(); ++j) read_probe(item.item(j), name_of_place({i, j}));
       } else {

@@ -1,10 +1,10 @@
-// How well simulated readings describe a recording.
+// The agreement of simulated readings with a recording.
 #pragma once
 
 #include <cmath>
 #include <vector>
 
-#include "core/run/fit/fit.h"
+#include "core/run/fit/fit_values.h"
 
 namespace taxel {
 

@@ -13,10 +13,6 @@
 
 namespace taxel {
 
-std::string_view unit_of(FitName name) {
-  return name == FitName::k || name == FitName::gain ? "" : "m";
-}
-
 namespace {
 
 constexpr std::size_t kCoarseRows = 200, kFineRows = 1000;  // of all recordings, for starts and for the result

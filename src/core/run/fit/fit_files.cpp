@@ -78,8 +78,7 @@ std::vector<const FitPoint*> tops_of(const RunAgreement& run, std::size_t taxel,
 
 }  // namespace
 
-Chart bells_chart(const RecordingFit& fit, const std::vector<PressedRecording>& recordings, int axis) {
-  (void)axis;
+Chart bells_chart(const RecordingFit& fit, const std::vector<PressedRecording>& recordings) {
   return chart_of(fit, recordings, "Readings across the taxels",
                   [&](const RunAgreement& run, const PressedRecording& recording) {
                     std::vector<Series> all(run.taxels.size());

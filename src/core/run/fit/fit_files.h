@@ -5,13 +5,13 @@
 #include <vector>
 
 #include "core/base/page/chart.h"
-#include "core/run/fit/fit.h"
+#include "core/run/fit/fit_values.h"
 
 namespace taxel {
 
 /// Returns the values at the ends of presses across the taxels, a panel for each recording: recorded ones as rings,
 /// fitted ones as curves. `recordings` are those of the fit, in the order of its runs.
-[[nodiscard]] Chart bells_chart(const RecordingFit& fit, const std::vector<PressedRecording>& recordings, int axis);
+[[nodiscard]] Chart bells_chart(const RecordingFit& fit, const std::vector<PressedRecording>& recordings);
 /// Returns the values over the travel of the press at which each taxel responds most, a panel for each recording.
 [[nodiscard]] Chart loading_chart(const RecordingFit& fit, const std::vector<PressedRecording>& recordings, int axis);
 /// Returns the errors over the recorded values, both relative to the largest one, a panel for each recording.

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "core/run/fit/fit.h"
+#include "core/run/fit/fit_values.h"
 #include "core/sensor/contact_case/pose_readings.h"
 #include "core/sensor/sensor_cache.h"
 
@@ -21,7 +21,7 @@ class FitModel {
   /// Throws Error if the layout or the shape cannot be compiled.
   FitModel(const FitSubject& subject, int threads, Progress* progress);
 
-  /// Returns the values of layout and case. A radius is that of the first taxel; 0 stands where there is no value.
+  /// Returns the values of layout and case. A radius is that of the first taxel; a value that is missing is 0.
   [[nodiscard]] const FitGeometry& geometry() const { return given_; }
   /// Returns the place of a taxel in the layout. Throws Error if there is none, naming `file`.
   [[nodiscard]] std::size_t place_of(int taxel, const std::string& file) const;

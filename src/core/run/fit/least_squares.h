@@ -1,4 +1,4 @@
-// Bounded nonlinear least squares, and what the result says about its parameters.
+// Bounded nonlinear least squares, and the certainty of its parameters.
 #pragma once
 
 #include <Eigen/Dense>
@@ -10,7 +10,7 @@ namespace taxel {
 /// A problem with the residuals e(p). Both functions get parameters within the bounds.
 struct LeastSquares {
   std::function<Eigen::VectorXd(const Eigen::VectorXd& p)> residuals;
-  std::function<Eigen::MatrixXd(const Eigen::VectorXd& p)> derivatives;  ///< of the residuals, a column per parameter
+  std::function<Eigen::MatrixXd(const Eigen::VectorXd& p)> derivatives;  ///< J, a column per parameter
   Eigen::VectorXd lower, upper;
   Eigen::VectorXd scale;  ///< size of a parameter, which judges whether a step still matters
 };
@@ -25,7 +25,7 @@ struct LeastSquaresPoint {
 /// after `iterations` steps, or when a step changes no parameter by more than 1e-5 of its scale.
 LeastSquaresPoint minimise(const LeastSquares& problem, const Eigen::VectorXd& start, int iterations);
 
-/// What the derivatives J of the residuals at a minimum say about the parameters.
+/// The certainty of parameters by the derivatives J of the residuals at a minimum.
 struct Certainty {
   std::vector<double> standard_errors;            ///< infinity for a parameter on which nothing depends
   std::vector<std::vector<double>> correlations;  ///< 0 for such parameters

@@ -45,7 +45,7 @@ struct PressedRecording {
   std::string file;
   std::vector<int> taxel_ids;               ///< in the order of the mapping
   std::vector<std::string> columns;         ///< column of each taxel
-  std::vector<dvec3> displacements;         ///< of the object, world axes, for each row [m]
+  std::vector<dvec3> displacements;         ///< object at each row, world axes [m]
   std::vector<std::vector<double>> values;  ///< for each taxel, one value for each row; NaN if missing
   std::vector<Press> presses;               ///< at least one
   int lateral_axis = 0;                     ///< axis across the presses with the largest range
