@@ -192,9 +192,9 @@ TEST(Real, IsAlignedWhenTheRunEndsAndExportedWithThePlotAndTheFit) {
   const std::string file = (folder / "real.csv").string();
   std::vector<std::string> arguments = sparse_samples(studio);
   arguments.insert(arguments.end(), {"--scenario", TAXEL_SOURCE_DIR "/tests/fixtures/edge_sweep.json"});
-  const Lines whole{simulated_until(4.99), kIdle, kIdle, kIdle}, fast{key("="), key("=")};
-  studio.play(joined({fast, {key("Space")}, whole, lines_of_export("Export recording...", folder / "run.csv")}),
-              arguments);
+  const std::string ended = R"({"do": "wait_for", "pointer": "/simulation/playing", "equals": false})";
+  const Lines whole{simulated_until(4.5), ended, kIdle, kIdle, kIdle}, fast{key("="), key("=")};
+  studio.play(joined({fast, whole, lines_of_export("Export recording...", folder / "run.csv")}), arguments);
   write_text(file, two_seconds_later(file_text(folder / "run.csv")));
   studio.play(joined({{key("Right"), kIdle, dump("before.json"), press("Panels"), kIdle, press("Real"), kIdle, kIdle,
                        dump("opened.json")},

@@ -33,7 +33,6 @@ struct FitCommandOptions {
 struct FitReport {
   const RecordingFit& fit;
   const std::vector<PressedRecording>& recordings;
-  std::vector<std::string> free;
 
   void visit(ReportWriter& w) const;
   void visit_run(ReportWriter& w, std::size_t r) const;
@@ -236,7 +235,7 @@ int run_fit_command(const FitCommandOptions& options, Console& console) {
   });
   std::vector<PressedRecording> all = std::move(fitted);
   all.insert(all.end(), std::make_move_iterator(held_out.begin()), std::make_move_iterator(held_out.end()));
-  const FitReport report{fit, all, split_words(options.free)};
+  const FitReport report{fit, all};
   if (folder) {
     folder->write("fit.json", json_of(report, JsonStyle::short_arrays));
     folder->write("points.csv", points_csv(fit, all));

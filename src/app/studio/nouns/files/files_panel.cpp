@@ -122,6 +122,7 @@ void accept(App& app, FileDialog& dialog) {
                                      [&](const FolderEntry& e) { return e.folder && e.name == dialog.path; });
   if ((is_listed || dialog.typed.is_folder) && dialog.task != FileTask::save_study) {
     dialog.path.clear();
+    dialog.wants_focus = true;  // a name in the folder is typed there
     return go_to(*app.ui, dialog, path);
   }
   if (dialog.task == FileTask::open) {
@@ -294,11 +295,11 @@ int complete_path(ImGuiInputTextCallbackData* data) {
 bool draw_path_field(WindowUi& ui, FileDialog& dialog) {
   ImGui::SetNextItemWidth(-1);
   if (dialog.wants_focus) ImGui::SetKeyboardFocusHere();
+  dialog.wants_focus = false;
   constexpr auto kFlags = ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackCompletion;
   const bool entered = ImGui::InputTextWithHint("##path", "Path or name (Tab completes it)", &dialog.path, kFlags,
                                                 complete_path, &dialog);
   ui.widgets.note_item("Path");
-  dialog.wants_focus = entered;  // a name can be typed after that of a folder, or again after a refusal
   if (ImGui::IsItemEdited()) dialog.error.clear();  // it was about another file
   if (dialog.path != dialog.typed.text) {
     dialog.typed.text = dialog.path;
