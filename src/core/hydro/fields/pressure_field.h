@@ -144,8 +144,8 @@ struct DividedField {
   PressureFieldPtr field;
   std::vector<int> parents;  ///< for each tet, the tet of the other field that contains it
 };
-/// Returns the field with the pressures E f(p/E) of `field`, E the modulus and f a table of straight pieces. Each tet in
-/// which a piece ends is divided there, so the new field is linear in each tet and continuous.
+/// Returns the field with the pressures E f(p/E) of `field`, E the modulus and f a table of straight pieces. Each tet
+/// in which a piece ends is divided there, so the new field is linear in each tet and continuous.
 DividedField divide_field(const PressureField& field, const PressureLaw& table, double modulus);
 
 /// Returns the quality of a field in sentences for the user, for `file` and JSON pointer `pointer`, in this order:

@@ -61,8 +61,8 @@ class OpenMeshes {
 
 enum class DocumentKind { layout, project, mesh, scene, frame };
 
-/// Returns the kind of a document by the extension of its file. Throws Error naming the file if it cannot be opened: for
-/// a JSON file with another format than a layout, the error names a file next to it that can.
+/// Returns the kind of a document by the extension of its file. Throws Error naming the file if it cannot be opened:
+/// for a JSON file with another format than a layout, the error names a file next to it that can.
 DocumentKind document_kind(const std::filesystem::path& file);
 
 struct LoadedDocument {
