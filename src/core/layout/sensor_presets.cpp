@@ -193,12 +193,10 @@ SensorPreset barometers() {
   preset.layout.material.modulus = 1e5;
   preset.layout.material.thickness = 5.0 * kMillimetre;
   preset.source =
-      "MTL-BaroTactileSensor (2023): four barometers MPL3115A2 in silicone, 6.0 mm apart; receptive radius and "
-      "weighted "
-      "mean fitted to a recording (docs/real.md)";
+      "MTL-BaroTactileSensor (2023): four barometers MPL3115A2 in silicone, 6.0 mm apart; receptive radius fitted to a "
+      "recording (docs/real.md)";
   preset.unverified =
-      "outline of the strip; modulus, of which the recording tells only the product with a gain for each taxel; "
-      "thickness of the pad";
+      "outline of the strip; modulus, known only as its product with a gain for each taxel; thickness of the pad";
   return preset;
 }
 
