@@ -9,7 +9,7 @@ namespace fs = std::filesystem;
 TEST(PresetsCommand, ListsAllAndWritesLayoutsWithoutProblems) {
   const fs::path folder = test_folder();
   const Json presets = taxel_json({"presets"})["presets"];
-  ASSERT_EQ(presets.size(), 8U);
+  ASSERT_EQ(presets.size(), 9U);
   for (const Json& preset : presets) {
     const std::string name = preset["name"], file = name + ".taxels.json";
     EXPECT_FALSE(preset["source"].get<std::string>().empty()) << name;

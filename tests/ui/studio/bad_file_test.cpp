@@ -1,6 +1,7 @@
 // Full disks, folders that cannot be written, and very large documents: nothing is lost, no file is left half written,
 // and each error is reported once.
 #include <gtest/gtest.h>
+#include <regex>
 
 #include <chrono>
 #include <cstring>
@@ -211,8 +212,14 @@ std::string windows_message(const std::string& name, const std::string& expected
       ends(".yaml") || ends(".csv") || ends(".txt") || ends(".npz") || ends(".urdf") || ends(".xacro");
   if (is_foreign || name.starts_with("probes_")) return "holds no mesh: drop or open its mesh file as well";
   const bool is_json = expected.find("is not JSON") == std::string::npos;
-  if (is_json && ends(".json") && !ends(".taxels.json") && !name.starts_with("state_"))
-    return "/format: must be \"taxel-layout\"";
+  if (ends(".json") && !ends(".taxels.json") && !name.starts_with("state_")) {
+    std::smatch format;
+    const std::string text = file_text(TAXEL_SOURCE_DIR "/tests/fixtures/broken/" + name).substr(0, 300);
+    const std::regex other("\"format\"[^\"]*\"(taxel-[^\"]*|column-mapping|contact-case)\"");
+    const bool is_other = std::regex_search(text, format, other) && format[1] != "taxel-layout";
+    if (is_other) return "is no layout: its format is \"" + format[1].str() + "\"";
+    if (is_json) return "/format: must be \"taxel-layout\"";
+  }
   if (name == "layout_format.taxels.json") return "/format: must be \"taxel-layout\", is \"layout\"";
   if (name == "mesh_buffer_is_folder.gltf") return "is a folder, not a file";  // the message contains the whole path
   if (name == "layout_mesh_is_folder.taxels.json") return "unknown mesh format";
